@@ -6,8 +6,8 @@ In FreeCAD the functions of the Python API are here: BalloonWorkbench.from_pictu
 
 _RELEASE = {"__version__": "VERSION", "__date__": "DATE"}
 _API = (
-    *("from_picture", "from_sketch", "from_profile", "from_panels"),
-    *("parts", "change", "inflate", "findings", "repair"),
+    *("from_picture", "from_sketch", "from_profile", "from_panels", "from_body"),
+    *("parts", "panels", "change", "inflate", "findings", "repair"),
     *("export", "artwork", "sketch", "nest", "assembly_sheet"),
 )
 

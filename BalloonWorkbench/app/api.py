@@ -18,7 +18,7 @@ from typing import TypeVar
 from BalloonWorkbench.app import balloon
 from BalloonWorkbench.app.document import create
 from BalloonWorkbench.app.document.kinds import is_artwork, is_balloon
-from BalloonWorkbench.app.document.parts import Parts, parts_of
+from BalloonWorkbench.app.document.parts import Parts, panels_of, parts_of
 from BalloonWorkbench.app.engine import advice, repairs
 from BalloonWorkbench.app.engine import export as writer
 from BalloonWorkbench.app.properties import values
@@ -86,12 +86,29 @@ def from_panels(doc, source, seams=(), **options) -> Parts:
 
 
 @_bordered
+def from_body(doc, source, **options) -> Parts:
+    """A new balloon that fills a closed body: a solid or a mesh, or an STL, OBJ, PLY, 3MF or STEP file;
+    panels says into how many pieces it is divided, 0 takes the faces of a solid.
+
+    Raises BalloonError when no balloon comes out; the document is then as before.
+    """
+    return _done[-1] if _done else create.balloon_from_body(doc, source, values=options)
+
+
+@_bordered
 def parts(obj) -> Parts:
     """The balloon that an object or its group belongs to; InputError for other objects."""
     balloon_parts = parts_of(obj)
     if balloon_parts is None:
         raise InputError(f"{obj.Label} belongs to no balloon: choose an outline, a balloon or a pattern.")
     return balloon_parts
+
+
+@_bordered
+def panels(made: Parts) -> list:
+    """The Panel objects of a balloon of many panels: each piece that is cut for it, to name, hide, measure
+    and export alone. Two equal panels have none."""
+    return panels_of(made.pattern)
 
 
 @_bordered

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from BalloonWorkbench.app.border import status
-from BalloonWorkbench.app.document.kinds import is_bag, is_gored_body, is_outline
+from BalloonWorkbench.app.document.kinds import is_bag, is_gored_body, is_outline, is_target
 from BalloonWorkbench.app.document.proxy import DocumentProxy
 from BalloonWorkbench.app.engine import bag_result, film_result
 from BalloonWorkbench.app.properties import film, size_goal
@@ -178,7 +178,7 @@ def follow_band(obj) -> None:
     """Offer a side band where there is an outline, which it goes along."""
     drawn = obj.Outline is None or is_outline(obj.Outline)
     mode, piece = "edit" if drawn else "hide", drawn and bool(obj.Band or obj.BodyThickness)
-    show_in_editor(obj, Band=mode, BodyThickness=mode, BandPiece="edit" if piece else "hide")
+    show_in_editor(obj, Band=mode, BodyThickness=mode, BandPiece="edit" if piece else "hide", TwoPanels=mode)
 
 
 def asks_for_many_panels(obj) -> bool:
@@ -200,7 +200,7 @@ def request(obj):
 
 def _bag_request(source, settings):
     """The request for many panels of what a balloon is to be."""
-    from BalloonWorkbench.app import bag, gored_body
+    from BalloonWorkbench.app import bag, gored_body, target
     from BalloonWorkbench.app.engine.bag_solve import BagRequest
     from BalloonWorkbench.app.shapes import part_shapes
 
@@ -208,6 +208,8 @@ def _bag_request(source, settings):
         return BagRequest(gored_body.profile(source), source.Label, source.Kind, settings)
     if is_bag(source):
         return BagRequest(bag.bag(source), source.Label, source.Kind, settings)
+    if is_target(source):
+        return BagRequest(target.division(source), source.Label, source.Kind, settings)
     return BagRequest(part_shapes.stored(source, "Loop"), _drawing_name(source), source.Kind, settings)
 
 
@@ -222,11 +224,12 @@ def _settings(obj):
     """The object's values, and those of what it is to be, as the engine's settings."""
     from BalloonWorkbench.app.properties.quantities import cubic_metres
     from BalloonWorkbench.core.job import Settings
-    from BalloonWorkbench.core.options.body import BodyOptions
+    from BalloonWorkbench.core.options.body import BodyOptions, TargetOptions
     from BalloonWorkbench.core.solver.model import Model
 
     many = asks_for_many_panels(obj)
     body = options_from(obj.Outline, BodyOptions) if is_gored_body(obj.Outline) else BodyOptions()
+    own = options_from(obj.Outline, TargetOptions) if is_target(obj.Outline) else TargetOptions()
     volume = cubic_metres(obj.TargetVolume) if obj.Load == VOLUME else None
     return Settings(
         **vars(options_from(obj, InflationOptions, volume=volume)),
@@ -236,6 +239,7 @@ def _settings(obj):
         pattern=size_goal.pattern_options(obj),
         model=Model(**vars(options_from(obj, ModelOptions))),
         body=body,
+        target=own,
         side_band=options_from(obj, BandOptions) if many and is_outline(obj.Outline) else BandOptions(),
     )
 

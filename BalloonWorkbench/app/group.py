@@ -23,16 +23,16 @@ class GroupProxy(Stateless):
 
 
 #: What a balloon is made from.
-OUTLINE, GORED_BODY, BAG = "Outline", "GoredBody", "Bag"
+OUTLINE, GORED_BODY, BAG, TARGET = "Outline", "GoredBody", "Bag", "Target"
 #: What its members are called: their labels are theirs.
 MEMBERS = (OUTLINE, "Balloon", "Pattern")
 
 
-def make_group(doc):
-    """A new group, still without a name of its own."""
+def make_group(doc, name: str = "BalloonGroup"):
+    """A new group, still without a label of its own."""
     from BalloonWorkbench.app.border import hooks
 
-    obj = doc.addObject("App::DocumentObjectGroupPython", "BalloonGroup")
+    obj = doc.addObject("App::DocumentObjectGroupPython", name)
     GroupProxy(obj)
     hooks.attach_view(obj)
     return obj
@@ -40,11 +40,17 @@ def make_group(doc):
 
 def name_group(group, label: str) -> None:
     """Call a group by what its balloon is made from: the first one "Fish", the next one "Fish 2"."""
-    taken = {obj.Label for obj in group.Document.Objects if obj != group}
-    label = f"{label} drawing" if label in (*MEMBERS, GORED_BODY, BAG) else label
+    label = f"{label} drawing" if label in (*MEMBERS, GORED_BODY, BAG, TARGET) else label
+    name = free_label(group, label, "{} {}")
+    if group.Label != name:
+        group.Label = name
+
+
+def free_label(obj, label: str, numbered: str = "{} ({})") -> str:
+    """A label that no other object of the document has: the first one as it is, the next one with a 2."""
+    taken = {other.Label for other in obj.Document.Objects if other != obj}
     name, number = label, 1
     while name in taken:
         number += 1
-        name = f"{label} {number}"
-    if group.Label != name:
-        group.Label = name
+        name = numbered.format(label, number)
+    return name

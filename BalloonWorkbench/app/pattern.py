@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from BalloonWorkbench.app.border import status
-from BalloonWorkbench.app.document import arrange
+from BalloonWorkbench.app.document import arrange, panel_objects
 from BalloonWorkbench.app.document.proxy import DocumentProxy
 from BalloonWorkbench.app.engine import bag_sheet
 from BalloonWorkbench.app.engine.bag_result import has_many_panels
@@ -70,6 +70,8 @@ PROPERTIES = (
     result("StringList", "Pieces", "Panels that are cut, each with what is equal to it"),
     result("StringList", "Seams", "Seams by the number on both edges, with their lengths"),
     result("StringList", "Order", "The seams in the order of the work"),
+    result("StringList", "PanelNames", "Names of the panels and other pieces", hidden=True),
+    result("IntegerList", "PanelNumbers", "Which of them each wire belongs to; 0: a copy", hidden=True),
     result("Length", "SeamLength", "Length of the weld"),
     result("Length", "PatternWidth", "Width of the piece of film"),
     result("Length", "PatternHeight", "Height of the piece of film"),
@@ -80,6 +82,8 @@ PROPERTIES = (
 )
 #: What balloons of many panels alone have.
 _OF_MANY = ("Opening", "OpeningShare")
+#: What has no effect on them.
+_OF_TWO = ("Mirror", "IntakeAuto", "IntakeAutoPlace", "IntakeAngle", "IntakeAlong")
 #: What decides which of the others have an effect.
 _DECIDING = {"IntakeAuto", "IntakeBy", "TieTabAuto"} | {item.needs for item in PROPERTIES}
 
@@ -91,8 +95,12 @@ class PatternProxy(DocumentProxy):
     weighed_before = None  # a change of a value
 
     def __init__(self, obj):
+        panel_objects.watch()
         super().__init__(obj)
         self.follow_intake(obj)
+
+    def opened(self, obj):
+        panel_objects.watch()
 
     def onChanged(self, obj, name):
         if not is_complete(obj, PROPERTIES):
@@ -119,6 +127,12 @@ class PatternProxy(DocumentProxy):
             TieTabAngle="edit" if obj.TieTab and not obj.TieTabAuto else "hide",
             **dict.fromkeys(_OF_MANY, "edit" if obj.Intake and _is_of_many(obj) else "hide"),
         )
+        if getattr(obj.Balloon, "FlatPanels", ""):
+            chosen = ("Mirror",) if obj.Mirror else ()
+            needless = {*_OF_TWO[: None if obj.IntakeAuto else 1]} - {*chosen}
+            show_in_editor(obj, **dict.fromkeys(needless, "hide"))
+        else:
+            show_in_editor(obj, Mirror="edit")
 
     def compute(self, obj):
         from BalloonWorkbench.app.border import hooks
@@ -130,8 +144,10 @@ class PatternProxy(DocumentProxy):
             drawing = _drawing(obj)
             curves = hooks.run_blocking(f"Drawing {obj.Label}", lambda progress: drawing())
             with results(obj) as output:
-                pattern_shape.show(output, sheet(obj), curves, kind_of(obj).note if obj.Intake else "")
-                bag_sheet.show(output, bag_patterns(obj) if has_many_panels(obj.Balloon) else None)
+                shown = pattern_shape.show(
+                    output, sheet(obj), curves, kind_of(obj).note if obj.Intake else ""
+                )
+                bag_sheet.show(output, bag_patterns(obj) if has_many_panels(obj.Balloon) else None, shown)
             self.follow_intake(obj)  # there may be more panels now
             status.set_status(obj, status.READY)
         obj.positionBySupport()
@@ -139,6 +155,11 @@ class PatternProxy(DocumentProxy):
     def cut_pattern(self, obj):
         """All that is cut: the panel with the pieces of its intake, the second panel, copies."""
         return sheet(obj)
+
+    def piece(self, obj, number: int):
+        """One panel or other piece of many, by its number from 1, the core's Pattern."""
+        patterns = bag_patterns(obj)
+        return (*patterns.patterns, *patterns.pieces)[number - 1]
 
 
 def _is_of_many(obj) -> bool:

@@ -9,14 +9,16 @@ import pytest
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "core"))  # for counting.py
 
+from remembered import remembered
+
 from BalloonWorkbench.app.border import status
-from BalloonWorkbench.core import memoize
 
 
 @pytest.fixture(autouse=True)
-def nothing_known():
-    """Each test works out what it asks for."""
-    memoize.forget()
+def known(request):
+    """What tests before have worked out, but for those that look at the work itself."""
+    with remembered(request.node):
+        yield
 
 
 @pytest.fixture

@@ -10,6 +10,8 @@ from counting import counted
 
 from BalloonWorkbench.app.document import create
 
+pytestmark = pytest.mark.works_out
+
 PICTURE = Path(__file__).resolve().parents[2] / "resources" / "examples" / "pictures" / "heart.png"
 COARSE = {"mesh_size": 20, "correct": False}
 

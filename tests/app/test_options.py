@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from BalloonWorkbench.app import artwork, balloon, film_sheet, gored_body, outline, pattern
+from BalloonWorkbench.app import artwork, balloon, film_sheet, gored_body, outline, pattern, target
 from BalloonWorkbench.app.document import create
 from BalloonWorkbench.app.properties import film, preferences, values
 from BalloonWorkbench.app.properties.property_table import engine_value, shown_value
@@ -16,7 +16,7 @@ from BalloonWorkbench.core.options.table import options
 ROOT = Path(__file__).parents[2]
 HELD = {
     item.option.text: item
-    for module in (outline, gored_body, balloon, pattern, artwork, film_sheet)
+    for module in (outline, gored_body, target, balloon, pattern, artwork, film_sheet)
     for item in module.PROPERTIES
     if item.option is not None
 }
@@ -60,13 +60,14 @@ def test_a_new_object_begins_with_what_is_declared(doc, text):
     item = HELD[text]
     parts = create.make(doc)
     made = [*parts, artwork.make(parts.pattern), film_sheet.make(doc, [parts.pattern])]
-    made.append(create.make(doc, source="GoredBody").outline)
+    made += [create.make(doc, source=kind).outline for kind in ("GoredBody", "Target")]
     (obj,) = [obj for obj in made if text in map(obj.getDocumentationOfProperty, obj.PropertiesList)]
     assert obj.getTypeIdOfProperty(item.name) == f"App::Property{item.type}"
     assert obj.getGroupOfProperty(item.name) == item.option.group
     value, option = getattr(obj, item.name), item.option
     if option.begins is None:
-        assert engine_value(option, value) == pytest.approx(option.default) or option.kind is Kind.FILE
+        told = 0 if option.kind is Kind.COUNT and option.default is None else option.default
+        assert engine_value(option, value) == pytest.approx(told) or option.kind is Kind.FILE
     else:
         assert getattr(value, "Value", value) == pytest.approx(shown_value(option, option.begins))
 
@@ -87,8 +88,8 @@ def test_preferences_are_those_that_are_declared():
 
 
 def test_macros_know_every_option_of_a_balloon(doc):
-    body = create.make(doc, source="GoredBody").outline
-    for source, first in ((None, outline), (body, gored_body)):
+    body, solid = (create.make(doc, source=kind).outline for kind in ("GoredBody", "Target"))
+    for source, first in ((None, outline), (body, gored_body), (solid, target)):
         known = values.places(source)
         held = [item for module in (first, balloon, pattern) for item in module.PROPERTIES if item.option]
         assert held

@@ -4,6 +4,7 @@
 A new object is placed once, as soon as it has a shape, beside all that is there. It stays; only where what
 was made before it, or the balloon of a sketch, has come into its place does it go aside again. What the user
 has moved stays for good. What follows a sketch lies on it, and goes aside only for what follows another one.
+The target of a solid lies beside it, at its height.
 All of it happens after a recompute: no `execute` knows its neighbours.
 """
 
@@ -18,9 +19,12 @@ from BalloonWorkbench.app.border.guard import Guarded
 from BalloonWorkbench.app.document.kinds import (
     is_artwork,
     is_film_sheet,
+    is_gored_body,
     is_ours,
+    is_panel,
     is_pattern,
     is_source,
+    is_target,
     leader,
 )
 from BalloonWorkbench.app.properties.property_table import Property
@@ -33,6 +37,7 @@ PROPERTIES = (
 FROM_SKETCH = Property("Placement", "FromSketch", "Base", "Its place, seen from its sketch", None, True, True)
 
 _RIGHT, _DOWN = App.Vector(1.0, 0.0, 0.0), App.Vector(0.0, -1.0, 0.0)
+_PROFILE = App.Placement(App.Vector(), App.Rotation(App.Vector(1.0, 0.0, 0.0), 90.0))  # x to x, y to z
 _GAP = 0.1  # between two of them, of the mean of width and height of the one that is placed
 _TOUCHING = 1e-3  # mm that boxes may overlap
 _SAME = 1e-6  # mm, and rad
@@ -80,6 +85,7 @@ def arrange(doc) -> None:
     waiting = [obj for unit in new for obj in unit.everything]
     for unit in new:
         there = [obj for obj in doc.Objects if obj not in waiting and (is_ours(obj) or obj.Visibility)]
+        there = [obj for obj in there if not is_panel(obj)]  # they lie on their pattern
         if unit.follows_sketch:
             others = [obj for each in settled if each.follows_sketch for obj in each.everything]
             there = [obj for obj in there if is_ours(obj)] if _meets(unit, others) else []
@@ -105,6 +111,11 @@ def boxes(objects, frame: App.Placement):
             continue  # asked for its shape, a group of FreeCAD 1.0 keeps one in the document
         mesh, shape = getattr(obj, "Mesh", None), getattr(obj, "Shape", None)
         place = frame.inverse() * obj.getGlobalPlacement()
+        if is_target(obj):  # its seams do not go round all of the body
+            box = _about(obj.BodySize).transformed(place.toMatrix())
+            if obj.BodySize.Length > 0.0:
+                yield box
+            continue
         if getattr(mesh, "CountPoints", 0):
             own = mesh.copy()
             own.Placement = place
@@ -118,6 +129,11 @@ def boxes(objects, frame: App.Placement):
             yield box
 
 
+def _about(size: App.Vector):
+    """A box of this size about the origin."""
+    return App.BoundBox(*(size * -0.5), *(size * 0.5))
+
+
 # what belongs together
 
 
@@ -126,6 +142,7 @@ class _Unit:
     """Objects that are placed together and keep their places to each other.
 
     owners  what they lie beside, in whose plane
+    bodies  the solids that they are made for
     along   the other objects that go where the first ones go
     way     where they go to from what is in the way, in their plane
     """
@@ -134,6 +151,7 @@ class _Unit:
     owners: list = field(default_factory=list)
     along: list = field(default_factory=list)
     way: App.Vector = field(default_factory=lambda: _RIGHT)
+    bodies: list = field(default_factory=list)
     moved: bool = False
 
     @property
@@ -150,7 +168,7 @@ class _Unit:
 
     def frame(self) -> App.Placement:
         """Their plane: x and y lie in it."""
-        return (self.owners or self.objects)[0].getGlobalPlacement()
+        return _plane((self.owners or self.objects)[0])
 
     def box(self):
         """What they take of it."""
@@ -158,6 +176,14 @@ class _Unit:
         for box in boxes(self.everything, self.frame()):
             whole.add(box)
         return whole
+
+
+def _plane(obj) -> App.Placement:
+    """The plane in which an object is drawn: a body of gores stands upright on that of its profile."""
+    place = obj.getGlobalPlacement()
+    if is_target(obj):  # the one on which the body stands
+        return place * App.Placement(App.Vector(0.0, 0.0, -0.5 * obj.BodySize.z), App.Rotation())
+    return place * _PROFILE if is_gored_body(obj) and obj.Source else place
 
 
 def _units(doc) -> list[_Unit]:
@@ -175,7 +201,9 @@ def _units(doc) -> list[_Unit]:
         elif is_film_sheet(obj):
             units[obj] = _Unit([obj], list(obj.Patterns), way=_DOWN)
     for together in _alike(outlines, leader):
-        units[together[0]] = _Unit(together, along=[mesh for obj in together for mesh in _balloons(obj)])
+        along = [mesh for obj in together for mesh in _balloons(obj)]
+        bodies = [obj.Solid for obj in together if is_target(obj) and obj.Solid]
+        units[together[0]] = _Unit(together, along=along, bodies=bodies)
     for together in _alike(patterns, lambda obj: leader(obj.Balloon.Outline)):
         balloons = [obj.Balloon for obj in together]
         units[together[0]] = _Unit(together, [*(each.Outline for each in balloons), *balloons])
@@ -226,6 +254,7 @@ def _make_way(unit: _Unit, settled: list[_Unit]) -> None:
     left_behind = any(each.moved and set(each.everything) & set(unit.owners) for each in settled)
     there = [obj for each in settled for obj in each.everything]
     there += [obj for obj in unit.owners if obj not in there]
+    there += [obj for obj in unit.bodies if obj.Visibility]
     if left_behind or _meets(unit, there) or not _is_apart(unit):
         _place(unit, there)
         unit.moved = True
@@ -241,10 +270,9 @@ def _place(unit: _Unit, there: list) -> None:
         for obj, start in zip(unit.objects, _starts(unit), strict=True):
             if start is not None:
                 _put(obj, frame * start)
-        shift = frame.Rotation.multVec(_clearance(unit.box(), _around(unit, there), unit.way))
-        for obj in unit.everything:
-            place = obj.getGlobalPlacement()
-            _put(obj, App.Placement(place.Base + shift, place.Rotation))
+        for body in boxes(unit.bodies, App.Placement()):
+            _shift(unit, body.Center - unit.objects[0].getGlobalPlacement().Base)
+        _shift(unit, frame.Rotation.multVec(_clearance(unit.box(), _around(unit, there), unit.way)))
     for obj in unit.objects:
         obj.PlacedAt = [] if by_user else [obj.Placement]
         obj.Placed = True
@@ -319,6 +347,12 @@ def _clearance(box, others, way: App.Vector) -> App.Vector:
 def _overlap(a, b, gap: float = -_TOUCHING) -> bool:
     """Two boxes come nearer to each other than a gap, in x and y."""
     return a.XMin < b.XMax + gap and b.XMin < a.XMax + gap and a.YMin < b.YMax + gap and b.YMin < a.YMax + gap
+
+
+def _shift(unit: _Unit, by: App.Vector) -> None:
+    for obj in unit.everything:
+        place = obj.getGlobalPlacement()
+        _put(obj, App.Placement(place.Base + by, place.Rotation))
 
 
 def _put(obj, place: App.Placement) -> None:

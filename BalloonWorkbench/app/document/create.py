@@ -10,14 +10,16 @@ from BalloonWorkbench.app import balloon, pattern
 from BalloonWorkbench.app.bag import BagProxy, set_file, set_panels
 from BalloonWorkbench.app.balloon import BalloonProxy
 from BalloonWorkbench.app.border import hooks, status
-from BalloonWorkbench.app.document import arrange
+from BalloonWorkbench.app.document import arrange, panel_objects
+from BalloonWorkbench.app.document.kinds import is_pattern
 from BalloonWorkbench.app.document.parts import Parts, companions
 from BalloonWorkbench.app.gored_body import NATURAL_SHAPE, GoredBodyProxy, set_profile
-from BalloonWorkbench.app.group import BAG, GORED_BODY, MEMBERS, OUTLINE, make_group, name_group
+from BalloonWorkbench.app.group import BAG, GORED_BODY, MEMBERS, OUTLINE, TARGET, make_group, name_group
 from BalloonWorkbench.app.outline import OutlineProxy, set_drawing, shape_count
 from BalloonWorkbench.app.pattern import PatternProxy
 from BalloonWorkbench.app.properties import film, ready_bodies
 from BalloonWorkbench.app.properties.property_table import write_options
+from BalloonWorkbench.app.target import TargetProxy, set_body
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.options.simulation import InflationOptions
 from BalloonWorkbench.core.units import number_text
@@ -27,6 +29,7 @@ SOURCES = {
     OUTLINE: ("Part::Part2DObjectPython", OutlineProxy),
     GORED_BODY: ("Part::FeaturePython", GoredBodyProxy),
     BAG: ("Part::Part2DObjectPython", BagProxy),
+    TARGET: ("Part::FeaturePython", TargetProxy),
 }
 
 
@@ -109,6 +112,7 @@ def match_companions(parts: Parts) -> None:
     count = shape_count(parts.outline)
     for other in companions(parts):
         if 0 < count < other.outline.Part:
+            panel_objects.remove_all(other.pattern)
             for obj in reversed(other):
                 obj.Document.removeObject(obj.Name)
         else:
@@ -183,6 +187,26 @@ def balloon_from_panels(doc, source, seams=(), **options) -> Parts:
     return parts
 
 
+def balloon_from_body(doc, source, **options) -> Parts:
+    """A balloon that fills a closed body: a solid or a mesh of the document, or the path of a file.
+
+    Options and errors as for `balloon_from_picture`.
+    """
+    is_file = isinstance(source, (str, os.PathLike))
+    if is_file and not os.path.isfile(source):
+        raise InputError(f"There is no file {source}: check the name and the folder.")
+    parts = make(doc, _title(source) if is_file else f"{source.Label} balloon", TARGET)
+    with ExitStack() as unless_finished:
+        unless_finished.callback(discard, parts)
+        if is_file:
+            set_body(parts.outline, source)
+        else:
+            parts.outline.Solid = source
+        _finish(parts, options)
+        unless_finished.pop_all()
+    return parts
+
+
 def _title(path) -> str:
     """What a file is called, without its ending."""
     return os.path.splitext(os.path.basename(path))[0]
@@ -211,6 +235,8 @@ def discard(parts: Parts) -> None:
     """Take the objects and their group out of the document."""
     group = parts.balloon.getParentGroup()
     others = [obj for other in reversed(companions(parts)) for obj in reversed(other)]
+    for pattern_obj in [obj for obj in (*others, parts.pattern) if is_pattern(obj)]:
+        panel_objects.remove_all(pattern_obj)
     for obj in (*others, *reversed(parts), group):
         obj.Document.removeObject(obj.Name)
 

@@ -12,18 +12,20 @@ from BalloonWorkbench.app import balloon, pattern
 from BalloonWorkbench.app.bag import set_file
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document import create
-from BalloonWorkbench.app.document.kinds import is_bag, is_gored_body
+from BalloonWorkbench.app.document.kinds import is_bag, is_gored_body, is_target
 from BalloonWorkbench.app.gored_body import set_profile
-from BalloonWorkbench.app.group import BAG, GORED_BODY, OUTLINE
+from BalloonWorkbench.app.group import BAG, GORED_BODY, OUTLINE, TARGET
 from BalloonWorkbench.app.outline import in_letters, set_drawing
 from BalloonWorkbench.app.properties import film, size_goal
 from BalloonWorkbench.app.properties.property_table import write_options
+from BalloonWorkbench.app.target import set_body
 from BalloonWorkbench.core.bags.bag import Bag
 from BalloonWorkbench.core.bodies.profile import Profile
 from BalloonWorkbench.core.files.write import write_files
-from BalloonWorkbench.core.options.body import BandOptions, BodyOptions
+from BalloonWorkbench.core.options.body import BandOptions, BodyOptions, TargetOptions
 from BalloonWorkbench.core.options.drawing import ReadingOptions
 from BalloonWorkbench.core.options.simulation import InflationOptions, ModelOptions
+from BalloonWorkbench.core.targets.target import Division
 from BalloonWorkbench.core.units import to_mm
 
 
@@ -54,6 +56,10 @@ def fcstd_bytes(drawing, settings, designs, *, label: str = "balloon", width=Non
         parts = create.make(doc, Path(in_letters(drawing)).stem, _source_of(designs))
         if is_bag(parts.outline):
             set_file(parts.outline, drawing)
+        elif is_target(parts.outline):
+            set_body(parts.outline, drawing)
+            parts.outline.Width = 0.0 if width is None else to_mm(width)
+            parts.outline.Height = 0.0 if height is None else to_mm(height)
         else:
             (set_profile if is_gored_body(parts.outline) else set_drawing)(parts.outline, drawing)
             parts.outline.Width = 0.0 if width is None else to_mm(width)
@@ -74,9 +80,10 @@ def fcstd_bytes(drawing, settings, designs, *, label: str = "balloon", width=Non
 
 
 def _source_of(designs) -> str:
-    """What the balloons are made from: outlines, a body of gores or a bag."""
+    """What the balloons are made from: outlines, a body or a bag."""
     source = getattr(designs[0], "source", None)
-    return GORED_BODY if isinstance(source, Profile) else BAG if isinstance(source, Bag) else OUTLINE
+    kinds = {Profile: GORED_BODY, Bag: BAG, Division: TARGET}
+    return kinds.get(type(source), OUTLINE)
 
 
 def write_settings(parts, settings) -> None:
@@ -88,6 +95,8 @@ def write_settings(parts, settings) -> None:
     write_options(parts.balloon, settings.model, ModelOptions)
     if is_gored_body(parts.outline):
         write_options(parts.outline, settings.body, BodyOptions)
+    elif is_target(parts.outline):
+        write_options(parts.outline, settings.target, TargetOptions)
     elif not is_bag(parts.outline):
         write_options(parts.outline, settings, ReadingOptions)
         write_options(parts.balloon, settings.side_band, BandOptions)

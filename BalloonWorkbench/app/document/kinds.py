@@ -4,8 +4,8 @@ stand below the proxies."""
 
 from __future__ import annotations
 
-_SOURCES = ("OutlineProxy", "GoredBodyProxy", "BagProxy")
-_KINDS = (*_SOURCES, "BalloonProxy", "PatternProxy", "ArtworkProxy", "FilmSheetProxy")
+_SOURCES = ("OutlineProxy", "GoredBodyProxy", "BagProxy", "TargetProxy")
+_KINDS = (*_SOURCES, "BalloonProxy", "PatternProxy", "PanelProxy", "ArtworkProxy", "FilmSheetProxy")
 
 
 def _kind(obj) -> str:
@@ -32,8 +32,13 @@ def is_bag(obj) -> bool:
     return _kind(obj) == "BagProxy"
 
 
+def is_target(obj) -> bool:
+    """Whether a document object is a target: a closed body in panels."""
+    return _kind(obj) == "TargetProxy"
+
+
 def is_source(obj) -> bool:
-    """Whether a document object says what a balloon is to be: an outline, a body of gores or a bag."""
+    """Whether a document object says what a balloon is to be: an outline, a body or a bag."""
     return _kind(obj) in _SOURCES
 
 
@@ -45,6 +50,11 @@ def is_balloon(obj) -> bool:
 def is_pattern(obj) -> bool:
     """Whether a document object is a pattern."""
     return _kind(obj) == "PatternProxy"
+
+
+def is_panel(obj) -> bool:
+    """Whether a document object is one panel of a pattern of many."""
+    return _kind(obj) == "PanelProxy"
 
 
 def is_artwork(obj) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from BalloonWorkbench.app.document.kinds import is_balloon, is_pattern, is_source, leader
+from BalloonWorkbench.app.document.kinds import is_balloon, is_panel, is_pattern, is_source, leader
 
 
 class Parts(NamedTuple):
@@ -21,6 +21,12 @@ def patterns(doc) -> list:
     return [obj for obj in doc.Objects if is_pattern(obj)]
 
 
+def panels_of(pattern) -> list:
+    """The Panel objects of a pattern, by their number."""
+    panels = (obj for obj in dict.fromkeys(pattern.InList) if is_panel(obj) and obj.Pattern == pattern)
+    return sorted(panels, key=lambda panel: panel.Number)
+
+
 def parts_of(obj) -> Parts | None:
     """The balloon that an object or group belongs to; None for other objects and incomplete balloons."""
     if obj.isDerivedFrom("App::DocumentObjectGroup"):
@@ -28,6 +34,8 @@ def parts_of(obj) -> Parts | None:
         return next(filter(None, map(parts_of, members)), None)
     if is_pattern(obj) and obj.Balloon is not None:
         return Parts(obj.Balloon.Outline, obj.Balloon, obj) if obj.Balloon.Outline else None
+    if is_panel(obj):
+        return parts_of(obj.Pattern) if obj.Pattern is not None else None
     if is_balloon(obj):
         users = [user for user in obj.InList if is_pattern(user) and user.Balloon == obj]
         return parts_of(users[0]) if users else None

@@ -18,8 +18,10 @@ _KINDS = {
     "KeepAspect": ("outline", "OutlineProxy"),
     "UpperCap": ("gored_body", "GoredBodyProxy"),
     "SeamLengths": ("bag", "BagProxy"),
+    "TargetPanels": ("target", "TargetProxy"),
     "SolvedFor": ("balloon", "BalloonProxy"),
     "IntakeKind": ("pattern", "PatternProxy"),
+    "PanelName": ("panel", "PanelProxy"),
     "Bleed": ("artwork", "ArtworkProxy"),
     "LaidOutFor": ("film_sheet", "FilmSheetProxy"),
 }

@@ -6,7 +6,7 @@ from __future__ import annotations
 import json
 from dataclasses import asdict, replace
 
-from BalloonWorkbench.app.document.kinds import is_bag, is_gored_body
+from BalloonWorkbench.app.document.kinds import is_bag, is_gored_body, is_target
 from BalloonWorkbench.app.engine import film_result
 from BalloonWorkbench.app.properties.property_table import result
 
@@ -97,6 +97,15 @@ def stored(obj) -> tuple:
     ), film
 
 
+def off_target(obj):
+    """Distances (n,) m of the film from the profile or drawing that it was made for; None without such."""
+    if not has_many_panels(obj) or is_bag(obj.Outline):
+        return None
+    from BalloonWorkbench.core.results import off_target as of_design
+
+    return of_design.off_target(stored(obj)[0])
+
+
 def _source(obj):
     """What the balloon is to be."""
     source = obj.Outline
@@ -108,6 +117,10 @@ def _source(obj):
         from BalloonWorkbench.app.bag import bag
 
         return bag(source)
+    if is_target(source):
+        from BalloonWorkbench.app.target import division
+
+        return division(source)
     from BalloonWorkbench.app.shapes.part_shapes import stored as outline_of
 
     return outline_of(source, "Loop")

@@ -19,11 +19,35 @@ def draw(bag, film, options, arcs: bool = True) -> tuple:
     return tuple(curve(contour.points, contour.closed) for contour in contours)
 
 
-def show(obj, patterns) -> None:
-    """Write what there is to tell about patterns into the object; None: two equal panels."""
+def show(obj, patterns, contours) -> None:
+    """Write what there is to tell about patterns into the object; None: two equal panels.
+
+    contours  that the wires of its shape show
+    """
     obj.Pieces = [] if patterns is None else _pieces(patterns)
     obj.Seams = [] if patterns is None else [_seam(patterns, seam) for seam in patterns.seams if seam.made]
     obj.Order = [] if patterns is None else [_step(patterns, step) for step in patterns.order]
+    obj.PanelNames = [] if patterns is None else [*patterns.names, *_other_names(patterns)]
+    obj.PanelNumbers = [] if patterns is None else _numbers(patterns, contours)
+
+
+def _other_names(patterns) -> list[str]:
+    """What the pieces beside the panels are called."""
+    others = len(patterns.pieces) - patterns.caps
+    return [
+        *(f"cap {number + 1}" for number in range(patterns.caps)),
+        *(f"intake piece {number + 1}" for number in range(others)),
+    ]
+
+
+def _numbers(patterns, contours) -> list[int]:
+    """The number of the panel or piece that each contour is of, from 1; 0 for those of further balloons."""
+    known = {
+        (contour.role, contour.points.tobytes()): number
+        for number, piece in enumerate((*patterns.patterns, *patterns.pieces), 1)
+        for contour in piece.contours
+    }
+    return [known.get((contour.role, contour.points.tobytes()), 0) for contour in contours]
 
 
 def _pieces(patterns) -> list[str]:

@@ -30,12 +30,15 @@ from BalloonWorkbench.core.options.body import ACCURACY
 from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.results.film_state import film_state
 from BalloonWorkbench.core.rounded import rounded
+from BalloonWorkbench.core.targets.target import Division
 from BalloonWorkbench.core.types import Progress, no_progress
 from BalloonWorkbench.core.units import to_mm
 
 _NONE = Residual(0.0, 0.0, 0.0)
 #: What of the settings a balloon of many panels depends on, besides the film.
-_OF_SETTINGS = (*("correct", "pressure", "volume", "mesh_size", "backend", "model", "body", "side_band"),)
+_OF_SETTINGS = (
+    *("correct", "pressure", "volume", "mesh_size", "backend", "model", "body", "side_band", "target"),
+)
 
 
 @dataclass(frozen=True)
@@ -56,7 +59,7 @@ class BagRequest:
         film = _of_film(self.settings.film)
         gas = self.settings.filling if self.settings.body.hydrostatic else None
         goal = None if self.settings.goal is None else _of_goal(self.settings)
-        source = self.source if isinstance(self.source, Bag) else replace(self.source, notes=())
+        source = _without_notes(self.source)
         digest = hashlib.sha256()
         for part in _texts((own, film, gas, source, goal)):
             digest.update(part.encode())
@@ -74,6 +77,15 @@ class BagRequest:
     def describe(self, design: BagDesign) -> dict[str, Any]:
         """What there is to tell about a design, as plain data; touches no document."""
         return describe_bag(self, design)
+
+
+def _without_notes(source: Source) -> Source:
+    """Remarks and names change no balloon."""
+    if isinstance(source, Bag):
+        return source
+    if isinstance(source, Division):
+        return replace(source, target=replace(source.target, source="", notes=()))
+    return replace(source, notes=())
 
 
 def _of_balloon(settings: Settings) -> Settings:
@@ -135,7 +147,7 @@ def describe_bag(request: BagRequest, design: BagDesign) -> dict[str, Any]:
     """What there is to tell about a design, as plain data with the keys of a report of two panels."""
     inflation, settings = design.inflation, request.settings
     error, state = design.residual or _NONE, film_state(inflation, settings.film)
-    sizes = [to_mm(float(size)) for size in np.ptp(inflation.positions, axis=0)]
+    sizes = [to_mm(float(size)) for size in np.ptp(inflation.positions[design.film], axis=0)]
     area = film_area(design.bag)
     target = inflation.positions[:, :2] if design.target is None else design.target
     return {

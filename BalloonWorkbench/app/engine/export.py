@@ -124,7 +124,7 @@ def export_results(balloon_obj, target) -> Path:
 
     Raises ExportError for another ending, a balloon that is not up to date, a place that cannot be written.
     """
-    from BalloonWorkbench.app.engine import film_result
+    from BalloonWorkbench.app.engine import bag_result, film_result
     from BalloonWorkbench.core.files.write import write_files
     from BalloonWorkbench.core.results.result_files import FORMATS as KINDS
     from BalloonWorkbench.core.results.result_files import results_bytes
@@ -136,6 +136,9 @@ def export_results(balloon_obj, target) -> Path:
         raise ExportError(f"{path.name} is neither VTU, NPZ nor STL: let the name end in .vtu, .npz or .stl.")
     insist_on_ready(balloon_obj)
     inflation, film = film_result.stored(balloon_obj)
-    content = stl_bytes([inflation]) if kind == "stl" else results_bytes(inflation, film, kind)
+    if kind == "stl":
+        content = stl_bytes([inflation])
+    else:
+        content = results_bytes(inflation, film, kind, bag_result.off_target(balloon_obj))
     write_files(path.parent, {path.name: content})
     return path

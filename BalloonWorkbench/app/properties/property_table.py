@@ -92,8 +92,11 @@ def _property(option: Option) -> Property:
 
 
 def shown_value(option: Option, value):
-    """A value of the engine as its property has it; what the engine finds is 0."""
+    """A value of the engine as its property has it; what the engine finds is 0, or with what it begins
+    where it cannot be 0."""
     unit = _property_types[option.kind][1]
+    if value is None and option.kind is Kind.NUMBER and option.least > 0.0:
+        value = option.begins
     if option.kind is Kind.CHOICE:
         return option.title(value)
     if option.kind is Kind.TEXT:

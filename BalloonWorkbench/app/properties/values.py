@@ -7,8 +7,8 @@ import json
 import os
 from typing import Any
 
-from BalloonWorkbench.app import bag, balloon, gored_body, outline, pattern
-from BalloonWorkbench.app.document.kinds import is_bag, is_gored_body
+from BalloonWorkbench.app import bag, balloon, gored_body, outline, pattern, target
+from BalloonWorkbench.app.document.kinds import is_bag, is_gored_body, is_target
 from BalloonWorkbench.app.properties import quantities
 from BalloonWorkbench.app.properties.property_table import Property
 from BalloonWorkbench.core.errors import InputError
@@ -27,7 +27,15 @@ def places(source=None) -> dict[str, tuple[str, Property]]:
     source  what the balloon is made from, a document object; None: an outline
     seal_width is that of the pattern, which overrules the film's: film_seal_width.
     """
-    own = gored_body if is_gored_body(source) else bag if is_bag(source) else outline
+    own = (
+        target
+        if is_target(source)
+        else gored_body
+        if is_gored_body(source)
+        else bag
+        if is_bag(source)
+        else outline
+    )
     cut = {item.name for item in pattern.PROPERTIES if not item.result}
     properties = {}
     for part, module in (("outline", own), ("balloon", balloon), ("pattern", pattern)):
@@ -115,6 +123,8 @@ def text(value, item: Property) -> str:
         return f'"{value.Value * factor:.10g} {unit}"'
     if item.type == "Angle":
         return f"{value.Value:.10g}"
+    if item.type == "LinkGlobal":
+        return f'App.ActiveDocument.getObject("{value.Name}")' if value else "None"
     if item.type in ("LinkSubGlobal", "LinkSub"):
         return _link(value)
     if item.type == "LinkSubListGlobal":

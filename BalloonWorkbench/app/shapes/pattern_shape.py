@@ -8,10 +8,11 @@ DIRECTION, PLACE = "Direction", "Place on the seam"
 #: Where it is found unless it is told.
 
 
-def show(obj, pattern, curves, how_to_fill: str) -> None:
+def show(obj, pattern, curves, how_to_fill: str) -> list:
     """Write a pattern into the object: the sheets to cut out first, then welds and marks.
 
     curves  that are drawn for its contours
+    Returns the contours in the order of the shape's wires.
     """
     import math
 
@@ -28,7 +29,8 @@ def show(obj, pattern, curves, how_to_fill: str) -> None:
     drawn = {id(contour): wire(curve) for contour, curve in zip(pattern.contours, curves, strict=True)}
     faces = [Part.Face([drawn[id(each)] for each in sheet]) for sheet in cuts]
     obj.Shape = Part.Compound([*faces, *(drawn[id(line)] for line in lines)])
-    obj.Roles = [contour.role.value for contour in (*(each for sheet in cuts for each in sheet), *lines)]
+    shown = [*(each for sheet in cuts for each in sheet), *lines]
+    obj.Roles = [contour.role.value for contour in shown]
     obj.SeamLength = to_mm(pattern.seam_length)
     obj.PatternWidth, obj.PatternHeight = (to_mm(length) for length in pattern.of_stock("").size)
     obj.Warnings = list(pattern.warnings)
@@ -37,6 +39,7 @@ def show(obj, pattern, curves, how_to_fill: str) -> None:
         obj.IntakeAngle = math.degrees(pattern.intake.angle)
     if pattern.intake is not None and (obj.IntakeAuto or obj.IntakeBy == DIRECTION):
         obj.IntakeAlong = to_mm(pattern.intake.along)
+    return shown
 
 
 def _nested(outer, inner) -> list:

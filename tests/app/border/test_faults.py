@@ -18,6 +18,8 @@ from BalloonWorkbench.app.document import create
 from BalloonWorkbench.core import faults
 from BalloonWorkbench.core.errors import InputError, ProgramFault
 
+pytestmark = pytest.mark.works_out
+
 COUNT = max(10, int(os.environ.get("BALLOON_FAULTS", "0")) // 2)
 SAID = ("This is a fault of the program", "There is too little memory")
 #: What is changed, and the object that it belongs to; each makes the engine work anew.

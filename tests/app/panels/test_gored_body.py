@@ -6,6 +6,7 @@ import json
 import math
 
 import FreeCAD as App
+import numpy as np
 import Part
 import pytest
 import sketches
@@ -14,6 +15,7 @@ import BalloonWorkbench
 from BalloonWorkbench.app import gored_body
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document import create
+from BalloonWorkbench.app.engine.export import export_results
 from BalloonWorkbench.core.errors import InputError
 
 QUICK = {"gores": 6, "mesh_size": 40}
@@ -43,6 +45,15 @@ def sphere():
     App.closeDocument(document.Name)
 
 
+def test_results_tell_how_far_it_is_from_its_profile(sphere, tmp_path):
+    """The film of six gores of a sphere is within some percent of its radius, the mean as the object says."""
+    path = export_results(sphere.balloon, tmp_path / "results.npz")
+    with np.load(path) as found:
+        away, places = found["distance_mm"], found["positions_mm"]
+    assert away == pytest.approx(np.linalg.norm(places, axis=1) - 150.0, abs=0.1)
+    assert np.abs(away).max() == pytest.approx(sphere.balloon.ResidualMax.Value, rel=0.02)
+
+
 def test_a_sphere_of_gores(sphere):
     assert [obj.Status for obj in sphere] == [status.READY] * 3
     assert sphere.outline.BodyDiameter.Value == pytest.approx(300, rel=1e-4)
@@ -63,6 +74,15 @@ def test_it_stands_along_the_axis_of_the_sketch(sphere):
     assert sphere.outline.Shape.BoundBox.ZLength < 1e-6
     assert sphere.outline.Shape.BoundBox.YLength == pytest.approx(300, rel=1e-4)
     assert sphere.balloon.Placement == sphere.outline.Placement
+
+
+def test_the_gores_lie_beside_it_in_the_plane_of_the_sketch(sphere):
+    """Who has drawn the profile looks at that plane."""
+    pattern, body = sphere.pattern.Shape.BoundBox, sphere.balloon.Mesh.BoundBox
+    assert pattern.ZLength < 1e-6
+    assert pattern.ZMin == pytest.approx(0, abs=1e-6)
+    assert pattern.YLength > 100
+    assert pattern.XMin > body.XMax
 
 
 def test_more_gores_are_nearer_to_the_profile(sphere):
