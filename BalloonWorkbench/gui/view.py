@@ -142,9 +142,12 @@ class PatternView(_View):
     def updateData(self, obj, name):
         super().updateData(obj, name)
         if name == "Roles":
-            obj.ViewObject.LineColorArray = [
-                _layer_colour(role) for role, wire in zip(obj.Roles, obj.Shape.Wires) for _ in wire.Edges
-            ]
+            obj.ViewObject.LineColorArray = layer_colours(obj)
+
+
+def layer_colours(obj) -> list:
+    """A colour for each edge of a pattern's shape: that of its layer."""
+    return [_layer_colour(role) for role, wire in zip(obj.Roles, obj.Shape.Wires) for _ in wire.Edges]
 
 
 def _layer_colour(role: str) -> tuple[float, ...]:

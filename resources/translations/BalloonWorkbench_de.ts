@@ -36,6 +36,10 @@
         <translation>Folienfläche innerhalb der Schweißnähte, alle Bahnen</translation>
     </message>
     <message>
+        <source>Area of the piece of film</source>
+        <translation>Fläche des Folienstücks</translation>
+    </message>
+    <message>
         <source>Around the balloon, in degrees Celsius</source>
         <translation>Um den Ballon herum, in Grad Celsius</translation>
     </message>
@@ -164,6 +168,10 @@
         <translation>Höhe eines Körpers aus einer Datei; 0 folgt</translation>
     </message>
     <message>
+        <source>Height of a mesh from a file, along z; 0 follows</source>
+        <translation>Höhe eines Netzes aus einer Datei, entlang z; 0 folgt</translation>
+    </message>
+    <message>
         <source>Height of all that is cut</source>
         <translation>Höhe von allem, was geschnitten wird</translation>
     </message>
@@ -264,6 +272,10 @@
         <translation>Innere Breite des Halses oder Bohrung des Stutzens</translation>
     </message>
     <message>
+        <source>Into how many panels the body is divided; 0 takes the faces of a solid, 16 panels of a mesh</source>
+        <translation>In wie viele Bahnen der Körper geteilt wird; 0 nimmt die Flächen eines Volumenkörpers, bei einem Netz 16 Bahnen</translation>
+    </message>
+    <message>
         <source>It carries itself</source>
         <translation>Er trägt sich selbst</translation>
     </message>
@@ -282,6 +294,10 @@
     <message>
         <source>Label of what was laid out</source>
         <translation>Kennzeichen dessen, was ausgelegt wurde</translation>
+    </message>
+    <message>
+        <source>Label that the workbench has given it</source>
+        <translation>Benennung, die der Arbeitsbereich ihm gegeben hat</translation>
     </message>
     <message>
         <source>Larger dimension before repairs, in mm</source>
@@ -324,8 +340,16 @@
         <translation>Länge eines Bogens; 0 ist eine Rolle</translation>
     </message>
     <message>
+        <source>Length of all seams on the body</source>
+        <translation>Länge aller Nähte auf dem Körper</translation>
+    </message>
+    <message>
         <source>Length of all welds on it</source>
         <translation>Länge aller Schweißnähte darauf</translation>
+    </message>
+    <message>
+        <source>Length of its welds</source>
+        <translation>Länge seiner Schweißnähte</translation>
     </message>
     <message>
         <source>Length of the natural shape's gores, from its lower to its upper end</source>
@@ -372,8 +396,12 @@
         <translation>Namen der Bahnen</translation>
     </message>
     <message>
-        <source>Notches to lay both films on each other by, evenly along the cut</source>
-        <translation>Passkerben zum Aufeinanderlegen beider Folien, gleichmäßig am Schnitt verteilt</translation>
+        <source>Names of the panels and other pieces</source>
+        <translation>Namen der Bahnen und anderen Stücke</translation>
+    </message>
+    <message>
+        <source>Notches to lay both films on each other by, evenly along the cut; of many panels, groups of them on each seam, 0 as many as its length needs</source>
+        <translation>Passkerben, um beide Folien aufeinanderzulegen, gleichmäßig entlang des Schnitts; bei vielen Bahnen Gruppen davon an jeder Naht, 0 so viele, wie ihre Länge braucht</translation>
     </message>
     <message>
         <source>Number of corners of each loop</source>
@@ -394,6 +422,10 @@
     <message>
         <source>Number of holes</source>
         <translation>Zahl der Löcher</translation>
+    </message>
+    <message>
+        <source>Number of panels</source>
+        <translation>Zahl der Bahnen</translation>
     </message>
     <message>
         <source>Number of pieces on what is shown</source>
@@ -436,6 +468,10 @@
         <translation>Nur eine Seite dieser Folie lässt sich so verbinden</translation>
     </message>
     <message>
+        <source>Panel of each triangle</source>
+        <translation>Bahn jedes Dreiecks</translation>
+    </message>
+    <message>
         <source>Panels and seams as JSON, in metres</source>
         <translation>Bahnen und Nähte als JSON, in Metern</translation>
     </message>
@@ -468,6 +504,10 @@
         <translation>Stellen des Umrisses, die sich verschieben, wenn die Naht knittert, die schlimmste zuerst</translation>
     </message>
     <message>
+        <source>Points of the body's triangles</source>
+        <translation>Punkte der Dreiecke des Körpers</translation>
+    </message>
+    <message>
         <source>Points of the profile: radius, 0, height</source>
         <translation>Punkte des Profils: Radius, 0, Höhe</translation>
     </message>
@@ -494,6 +534,10 @@
     <message>
         <source>Remarks made during the design</source>
         <translation>Hinweise aus dem Entwurf</translation>
+    </message>
+    <message>
+        <source>Remarks made while the body was read</source>
+        <translation>Bemerkungen beim Lesen des Körpers</translation>
     </message>
     <message>
         <source>Remarks made while the outline was found</source>
@@ -524,6 +568,10 @@
         <translation>Ergebnis, das als Farben mit Legende gezeigt wird</translation>
     </message>
     <message>
+        <source>STL, OBJ, PLY, 3MF or STEP file of a closed body; a copy travels in the document</source>
+        <translation>STL-, OBJ-, PLY-, 3MF- oder STEP-Datei eines geschlossenen Körpers; eine Kopie reist im Dokument mit</translation>
+    </message>
+    <message>
         <source>SVG, DXF or JSON file of half the outline; a copy travels in the document</source>
         <translation>SVG-, DXF- oder JSON-Datei des halben Umrisses; eine Kopie reist im Dokument mit</translation>
     </message>
@@ -538,6 +586,10 @@
     <message>
         <source>Simulate both panels instead of one and its mirror image</source>
         <translation>Beide Bahnen simulieren statt einer und ihres Spiegelbilds</translation>
+    </message>
+    <message>
+        <source>Size of the body along x, y and z</source>
+        <translation>Größe des Körpers entlang x, y und z</translation>
     </message>
     <message>
         <source>Size of the triangles; 0 is automatic</source>
@@ -558,6 +610,14 @@
     <message>
         <source>Smooth stretches as single splines in place of arcs</source>
         <translation>Glatte Strecken als einzelne Splines statt als Bögen</translation>
+    </message>
+    <message>
+        <source>So far outside of the body, or inside, the film lies at least</source>
+        <translation>So weit außerhalb oder innerhalb des Körpers liegt die Folie mindestens</translation>
+    </message>
+    <message>
+        <source>Solid or mesh that the balloon is to fill, which it follows</source>
+        <translation>Volumenkörper oder Netz, das der Ballon füllen soll und dem er folgt</translation>
     </message>
     <message>
         <source>Solver that was used</source>
@@ -598,6 +658,10 @@
     <message>
         <source>The pattern that is printed</source>
         <translation>Das Schnittmuster, das bedruckt wird</translation>
+    </message>
+    <message>
+        <source>The pattern that it is a piece of</source>
+        <translation>Das Schnittmuster, von dem es ein Stück ist</translation>
     </message>
     <message>
         <source>The patterns that are laid out</source>
@@ -644,6 +708,14 @@
         <translation>Dicke des aufgeblasenen Ballons</translation>
     </message>
     <message>
+        <source>Three points of each triangle</source>
+        <translation>Drei Punkte jedes Dreiecks</translation>
+    </message>
+    <message>
+        <source>Two points of each edge at which a panel is cut open</source>
+        <translation>Zwei Punkte jeder Kante, an der eine Bahn aufgeschnitten ist</translation>
+    </message>
+    <message>
         <source>Up to date, or what is wrong</source>
         <translation>Aktuell, oder was nicht stimmt</translation>
     </message>
@@ -674,6 +746,10 @@
     <message>
         <source>Volume of the balloon, from which the pressure follows</source>
         <translation>Volumen des Ballons, aus dem der Druck folgt</translation>
+    </message>
+    <message>
+        <source>Volume of the body</source>
+        <translation>Volumen des Körpers</translation>
     </message>
     <message>
         <source>Volume of the inflated balloon</source>
@@ -720,6 +796,10 @@
         <translation>Was er mit seinem Gas trägt, in Gramm; unter 0 sinkt er</translation>
     </message>
     <message>
+        <source>What it is called on the pattern</source>
+        <translation>Wie es auf dem Schnittmuster heißt</translation>
+    </message>
+    <message>
         <source>What it is to be: an outline, a body of gores or a bag</source>
         <translation>Was es werden soll: ein Umriss, ein Körper aus Segmenten oder ein Beutel</translation>
     </message>
@@ -734,6 +814,10 @@
     <message>
         <source>What the balloon is made of; Custom lets you give your own values</source>
         <translation>Woraus der Ballon ist; „Eigene“ erlaubt eigene Werte</translation>
+    </message>
+    <message>
+        <source>What the body was read from</source>
+        <translation>Woraus der Körper gelesen wurde</translation>
     </message>
     <message>
         <source>What the design of many panels has figures, as JSON</source>
@@ -784,6 +868,10 @@
         <translation>Ob ein Laser diese Folie schneiden darf</translation>
     </message>
     <message>
+        <source>Whether the balloon follows the body, encloses or lines it</source>
+        <translation>Ob der Ballon dem Körper folgt, ihn umschließt oder innen auskleidet</translation>
+    </message>
+    <message>
         <source>Which edges are joined</source>
         <translation>Welche Kanten verbunden sind</translation>
     </message>
@@ -792,12 +880,24 @@
         <translation>Welche Folie ausgelegt wird: Die Stücke eines Ventils liegen auf einer eigenen</translation>
     </message>
     <message>
+        <source>Which of them each wire belongs to; 0: a copy</source>
+        <translation>Zu welchem Stück jeder Draht gehört; 0: eine Kopie</translation>
+    </message>
+    <message>
+        <source>Which piece of the pattern it is, from 1</source>
+        <translation>Welches Stück des Schnittmusters es ist, ab 1</translation>
+    </message>
+    <message>
         <source>Which shape of the drawing it is; 1 is the largest</source>
         <translation>Die wievielte Form der Zeichnung es ist; 1 ist die größte</translation>
     </message>
     <message>
         <source>Width from which it carries itself; 0 when never</source>
         <translation>Breite, ab der er sich selbst trägt; 0: nie</translation>
+    </message>
+    <message>
+        <source>Width of a mesh from a file, along x; 0 follows from the height, or the file</source>
+        <translation>Breite eines Netzes aus einer Datei, entlang x; 0 folgt aus der Höhe oder der Datei</translation>
     </message>
     <message>
         <source>Width of a side band between front and back; 0 is two panels</source>
@@ -899,16 +999,16 @@
         <translation>„{0}“ hat kein Profil: den halben Umriss des Körpers als SVG, DXF oder JSON geben.</translation>
     </message>
     <message>
-        <source>'{0}' has the size of its panels, so the balloon cannot be scaled to fit: leave out --oversize scale.</source>
-        <translation>„{0}“ hat die Größe seiner Bahnen, also lässt sich der Ballon nicht verkleinern: --oversize scale weglassen.</translation>
-    </message>
-    <message>
         <source>'{0}' has the size of its panels: leave out the width and the height.</source>
         <translation>„{0}“ hat die Größe seiner Bahnen: Breite und Höhe weglassen.</translation>
     </message>
     <message>
         <source>'{0}' has {1} x {2} pixels, more than {3} million. Make it smaller; 2000 pixels across are plenty.</source>
         <translation>„{0}“ hat {1} x {2} Pixel, mehr als {3} Millionen. Verkleinern; 2000 Pixel Breite sind reichlich.</translation>
+    </message>
+    <message>
+        <source>'{0}' is a body: leave out what you give of gores or of a side band.</source>
+        <translation>„{0}“ ist ein Körper: weglassen, was zu Segmenten oder einem Seitenband angegeben ist.</translation>
     </message>
     <message>
         <source>'{0}' is a pipe or a device: save what comes from it, and name that file.</source>
@@ -947,8 +1047,16 @@
         <translation>„{0}“ ist größer als {1} MB. Die Zeichnung vereinfachen.</translation>
     </message>
     <message>
+        <source>'{0}' is larger than {1} MB. Simplify the mesh.</source>
+        <translation>„{0}“ ist größer als {1} MB. Das Netz vereinfachen.</translation>
+    </message>
+    <message>
         <source>'{0}' is neither SVG, DXF nor JSON. Save the drawing as one of these.</source>
         <translation>„{0}“ ist weder SVG noch DXF noch JSON. Die Zeichnung als eines davon speichern.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no closed body: leave out --panels, or give an STL, OBJ, PLY or 3MF.</source>
+        <translation>„{0}“ ist kein geschlossener Körper: --panels weglassen oder eine STL-, OBJ-, PLY- oder 3MF-Datei geben.</translation>
     </message>
     <message>
         <source>'{0}' is no size: write 500mm for a width, 500mmx700mm for width and height.</source>
@@ -1007,6 +1115,10 @@
         <translation>1 bis {0} Stücke können ausgelegt werden, nicht {1}.</translation>
     </message>
     <message>
+        <source>95 % below {} ({})</source>
+        <translation>95 % unter {} ({})</translation>
+    </message>
+    <message>
         <source>A balloon has no "{0}": it has {1}.</source>
         <translation>Ein Ballon hat kein „{0}“: Es gibt {1}.</translation>
     </message>
@@ -1029,6 +1141,10 @@
     <message>
         <source>A body of gores has no side band: leave out what you give of the one or of the other.</source>
         <translation>Ein Körper aus Segmenten hat kein Seitenband: die Angaben zum einen oder zum anderen weglassen.</translation>
+    </message>
+    <message>
+        <source>A closed body; a copy of it travels in the document</source>
+        <translation>Ein geschlossener Körper; eine Kopie davon reist im Dokument mit</translation>
     </message>
     <message>
         <source>A corner relief of {0} would cut into the weld: choose a smaller radius or a wider allowance.</source>
@@ -1203,6 +1319,10 @@
         <translation>Alle Bahnen sind einmal auf dem Bogen: keine wird ein zweites Mal gespiegelt gezeichnet.</translation>
     </message>
     <message>
+        <source>All points of the mesh are in one place. Save the body as a mesh of triangles.</source>
+        <translation>Alle Punkte des Netzes liegen an einer Stelle. Den Körper als Netz aus Dreiecken speichern.</translation>
+    </message>
+    <message>
         <source>Allowance</source>
         <translation>Zugabe</translation>
     </message>
@@ -1347,6 +1467,14 @@
         <translation>Blau 0, grün {}, rot {}</translation>
     </message>
     <message>
+        <source>Bodies</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>Body</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
         <source>Both panels</source>
         <translation>Beide Bahnen</translation>
     </message>
@@ -1361,6 +1489,10 @@
     <message>
         <source>Brush</source>
         <translation>Pinsel</translation>
+    </message>
+    <message>
+        <source>By at least</source>
+        <translation>Um mindestens</translation>
     </message>
     <message>
         <source>Cannot write to {0}: {1}. Choose another folder, or make room there.</source>
@@ -1385,6 +1517,10 @@
     <message>
         <source>Checking the pattern</source>
         <translation>Das Schnittmuster wird geprüft</translation>
+    </message>
+    <message>
+        <source>Choose a body</source>
+        <translation>Einen Körper wählen</translation>
     </message>
     <message>
         <source>Choose a drawing</source>
@@ -1413,6 +1549,10 @@
     <message>
         <source>Choose a sketch or a file with half the outline.</source>
         <translation>Eine Skizze oder eine Datei mit dem halben Umriss wählen.</translation>
+    </message>
+    <message>
+        <source>Choose a solid, a mesh or a file with one.</source>
+        <translation>Einen Volumenkörper, ein Netz oder eine Datei damit wählen.</translation>
     </message>
     <message>
         <source>Choose sketches, a file or a ready body.</source>
@@ -1527,6 +1667,14 @@
         <translation>Strecke</translation>
     </message>
     <message>
+        <source>Distance from profile or drawing</source>
+        <translation>Abstand von Profil oder Zeichnung</translation>
+    </message>
+    <message>
+        <source>Dividing a body needs scipy: install it with pip install scipy.</source>
+        <translation>Einen Körper zu teilen braucht scipy: mit pip install scipy installieren.</translation>
+    </message>
+    <message>
         <source>Dots per inch</source>
         <translation>Punkte je Zoll</translation>
     </message>
@@ -1575,6 +1723,10 @@
         <translation>Jede Strichfarbe wird ein eigener Arbeitsgang: Rot, Blau und Orange schneiden, alle anderen ignorieren lassen. DXF wird nicht gelesen.</translation>
     </message>
     <message>
+        <source>Edges of the mesh at which more than two triangles meet: {0}. Repair it in the program that it comes from, so that it is the surface of a solid.</source>
+        <translation>Kanten des Netzes, an denen mehr als zwei Dreiecke zusammenkommen: {0}. Es in dem Programm reparieren, aus dem es kommt, sodass es die Oberfläche eines Volumenkörpers ist.</translation>
+    </message>
+    <message>
         <source>Edit artwork</source>
         <translation>Bildvorlage bearbeiten</translation>
     </message>
@@ -1593,6 +1745,10 @@
     <message>
         <source>Elastic materials</source>
         <translation>Elastische Werkstoffe</translation>
+    </message>
+    <message>
+        <source>Encloses it</source>
+        <translation>Umschließt ihn</translation>
     </message>
     <message>
         <source>Eraser</source>
@@ -1735,6 +1891,10 @@
         <translation>Das Schnittmuster wird angepasst</translation>
     </message>
     <message>
+        <source>Flattening needs scipy: install it with pip install scipy.</source>
+        <translation>Das Abwickeln braucht scipy: mit pip install scipy installieren.</translation>
+    </message>
+    <message>
         <source>Folder</source>
         <translation>Ordner</translation>
     </message>
@@ -1745,6 +1905,10 @@
     <message>
         <source>Follow every change at once</source>
         <translation>Jeder Änderung sofort folgen</translation>
+    </message>
+    <message>
+        <source>Follows the body</source>
+        <translation>Folgt dem Körper</translation>
     </message>
     <message>
         <source>For {0} the drawing would be {1} large: choose a volume that makes it {2} to {3}.</source>
@@ -1911,6 +2075,10 @@
         <translation>Loch {0} der Bahn „{1}“ läuft gegen den Uhrzeigersinn. Die Reihenfolge seiner Punkte umkehren.</translation>
     </message>
     <message>
+        <source>Holes of the mesh that were closed: {0}.</source>
+        <translation>Löcher des Netzes, die geschlossen wurden: {0}.</translation>
+    </message>
+    <message>
         <source>How a balloon follows its pattern can be worked out for an elastic weld alone: choose that one.</source>
         <translation>Wie ein Ballon seinem Schnittmuster folgt, lässt sich nur für eine elastische Naht berechnen: diese wählen.</translation>
     </message>
@@ -2013,6 +2181,10 @@
     <message>
         <source>It is wider now. Ctrl+Z takes that back.</source>
         <translation>Jetzt ist er breiter. Strg+Z nimmt das zurück.</translation>
+    </message>
+    <message>
+        <source>Its pattern is gone: delete it.</source>
+        <translation>Sein Schnittmuster fehlt: dieses Stück löschen.</translation>
     </message>
     <message>
         <source>JSON</source>
@@ -2159,6 +2331,10 @@
         <translation>Linie</translation>
     </message>
     <message>
+        <source>Lines it inside</source>
+        <translation>Kleidet ihn innen aus</translation>
+    </message>
+    <message>
         <source>Lines that close around nothing beside the shapes were left out.</source>
         <translation>Linien neben den Formen, die nichts umschließen, wurden weggelassen.</translation>
     </message>
@@ -2251,6 +2427,10 @@
         <translation>Achtung</translation>
     </message>
     <message>
+        <source>Mirror</source>
+        <translation>Spiegeln</translation>
+    </message>
+    <message>
         <source>Mode</source>
         <translation>Modus</translation>
     </message>
@@ -2277,6 +2457,10 @@
     <message>
         <source>Natural shape</source>
         <translation>Natürliche Form</translation>
+    </message>
+    <message>
+        <source>Near {0} the film stays {1} from the body, which is too thin or too sharp there for panels. Cut such a part off, or divide the body along it.</source>
+        <translation>Nahe {0} bleibt die Folie {1} vom Körper entfernt, der dort zu dünn oder zu spitz für Bahnen ist. Einen solchen Teil abschneiden oder den Körper an ihm entlang teilen.</translation>
     </message>
     <message>
         <source>Near {0} the inflated outline stays up to {1} from the drawing, over a length of {2}: film cannot follow it there. Round it off or widen it.</source>
@@ -2309,6 +2493,10 @@
     <message>
         <source>New bag of panels</source>
         <translation>Neuer Beutel aus Bahnen</translation>
+    </message>
+    <message>
+        <source>New balloon from body</source>
+        <translation>Neuer Ballon aus Volumenkörper</translation>
     </message>
     <message>
         <source>New balloon from picture</source>
@@ -2383,6 +2571,10 @@
         <translation>Hier arbeitet kein Löser: {0} Ihn bauen oder das Paket scipy installieren.</translation>
     </message>
     <message>
+        <source>No triangle of the mesh has an area. Save the body as a mesh of triangles.</source>
+        <translation>Kein Dreieck des Netzes hat eine Fläche. Den Körper als Netz aus Dreiecken speichern.</translation>
+    </message>
+    <message>
         <source>No, use NumPy</source>
         <translation>Nein, NumPy benutzen</translation>
     </message>
@@ -2447,8 +2639,16 @@
         <translation>OK, dann {}</translation>
     </message>
     <message>
+        <source>Of the bodies of the mesh only the largest is made; all in all there are: {0}.</source>
+        <translation>Von den Körpern des Netzes wird nur der größte gemacht; insgesamt sind es: {0}.</translation>
+    </message>
+    <message>
         <source>Off</source>
         <translation>Aus</translation>
+    </message>
+    <message>
+        <source>Off the body</source>
+        <translation>Neben dem Körper</translation>
     </message>
     <message>
         <source>Off the drawing</source>
@@ -2463,8 +2663,8 @@
         <translation>Neben dem Profil</translation>
     </message>
     <message>
-        <source>Off the {0}: {1} on average, at most {2}</source>
-        <translation>Neben dem {0}: im Mittel {1}, höchstens {2}</translation>
+        <source>Off the {0}: {1} on average, 95 % below {2}, at most {3}</source>
+        <translation>Abstand ({0}): im Mittel {1}, 95 % unter {2}, höchstens {3}</translation>
     </message>
     <message>
         <source>Offer the native solver where it is missing</source>
@@ -2579,6 +2779,10 @@
         <translation>Bahn</translation>
     </message>
     <message>
+        <source>Panel '{0}' crosses itself: divide the body otherwise there.</source>
+        <translation>Die Bahn „{0}“ kreuzt sich selbst: den Körper dort anders teilen.</translation>
+    </message>
+    <message>
         <source>Panel '{0}' crosses or nearly touches itself: separate the parts that meet there.</source>
         <translation>Die Bahn „{0}“ kreuzt oder berührt sich fast selbst: die Teile, die dort zusammenkommen, voneinander trennen.</translation>
     </message>
@@ -2595,6 +2799,10 @@
         <translation>Die Bahn „{0}“ ist von innen gesehen: ihre Punkte laufen im Uhrzeigersinn. Sie spiegeln oder die Reihenfolge umkehren.</translation>
     </message>
     <message>
+        <source>Panel '{0}' is the whole surface and has no edge: divide the body into more panels.</source>
+        <translation>Die Bahn „{0}“ ist die ganze Oberfläche und hat keine Kante: den Körper in mehr Bahnen teilen.</translation>
+    </message>
+    <message>
         <source>Panel {0} has a triangle with a vertex that is not there. Mesh it anew.</source>
         <translation>Bahn {0} hat ein Dreieck mit einer Ecke, die es nicht gibt. Neu vernetzen.</translation>
     </message>
@@ -2609,6 +2817,14 @@
     <message>
         <source>Panel {0} has no edge {1} for the opening: say another one of its outer loop.</source>
         <translation>Die Bahn {0} hat keine Kante {1} für die Öffnung: eine andere ihres äußeren Rands angeben.</translation>
+    </message>
+    <message>
+        <source>Panel {0} has no room for its name: write it beside the cut when you lay it out.</source>
+        <translation>Die Bahn {0} hat keinen Platz für ihren Namen: ihn beim Auslegen neben den Schnitt schreiben.</translation>
+    </message>
+    <message>
+        <source>Panel {0} has no room for numbers and arrows of seams: {1}. Its notches tell them apart.</source>
+        <translation>Die Bahn {0} hat keinen Platz für Nummern und Pfeile der Nähte: {1}. Ihre Passkerben unterscheiden sie.</translation>
     </message>
     <message>
         <source>Panel {0} is not cut: say another one for the opening.</source>
@@ -2891,6 +3107,10 @@
         <translation>RDWorks (Ruida-Laser)</translation>
     </message>
     <message>
+        <source>Reading a mesh needs scipy: install it with pip install scipy.</source>
+        <translation>Ein Netz zu lesen braucht scipy: mit pip install scipy installieren.</translation>
+    </message>
+    <message>
         <source>Ready body</source>
         <translation>Fertiger Körper</translation>
     </message>
@@ -2967,6 +3187,10 @@
         <translation>Runden mit einem Radius von</translation>
     </message>
     <message>
+        <source>STL, OBJ, PLY, 3MF or STEP</source>
+        <translation>STL, OBJ, PLY, 3MF oder STEP</translation>
+    </message>
+    <message>
         <source>SVG files can be written but not read without it; pictures, DXF and JSON can be read.</source>
         <translation>SVG-Dateien können ohne es geschrieben, aber nicht gelesen werden; Bilder, DXF und JSON schon.</translation>
     </message>
@@ -3005,6 +3229,10 @@
     <message>
         <source>Scale to fit</source>
         <translation>Passend verkleinern</translation>
+    </message>
+    <message>
+        <source>Scaled to fit: the balloon is {0} wide instead of {1}.</source>
+        <translation>Passend verkleinert: Der Ballon ist {0} breit statt {1}.</translation>
     </message>
     <message>
         <source>Scaled to fit: the drawing is {0} wide instead of {1}.</source>
@@ -3165,6 +3393,10 @@
     <message>
         <source>Select a sketch, a wire or a face in the tree or the 3D view.</source>
         <translation>Eine Skizze, einen Draht oder eine Fläche im Baum oder in der 3D-Ansicht wählen.</translation>
+    </message>
+    <message>
+        <source>Select a solid or a mesh, or choose a file.</source>
+        <translation>Einen Volumenkörper oder ein Netz wählen, oder eine Datei nehmen.</translation>
     </message>
     <message>
         <source>Select another</source>
@@ -3383,6 +3615,10 @@
         <translation>Naht mit Klebeband</translation>
     </message>
     <message>
+        <source>Target</source>
+        <translation>Zielkörper</translation>
+    </message>
+    <message>
         <source>Tension field</source>
         <translation>Zugfeld</translation>
     </message>
@@ -3439,6 +3675,22 @@
         <translation>'{0}' des Körpers „{1}“ liegt außerhalb des Bereichs. {2} wählen.</translation>
     </message>
     <message>
+        <source>The 3MF file has more than {0} bodies. Leave one of them in it.</source>
+        <translation>Die 3MF-Datei hat mehr als {0} Körper. Einen davon darin lassen.</translation>
+    </message>
+    <message>
+        <source>The 3MF file has no bodies. Save the body as a mesh of triangles.</source>
+        <translation>Die 3MF-Datei hat keine Körper. Den Körper als Netz aus Dreiecken speichern.</translation>
+    </message>
+    <message>
+        <source>The 3MF file is damaged ({}). Save it once more.</source>
+        <translation>Die 3MF-Datei ist beschädigt ({}). Noch einmal speichern.</translation>
+    </message>
+    <message>
+        <source>The 3MF file is too large. Simplify the mesh in the program it comes from.</source>
+        <translation>Die 3MF-Datei ist zu groß. Das Netz im Programm vereinfachen, aus dem es stammt.</translation>
+    </message>
+    <message>
         <source>The DXF file has errors; what could be read was taken from it.</source>
         <translation>Die DXF-Datei hat Fehler; was lesbar war, wurde übernommen.</translation>
     </message>
@@ -3475,12 +3727,36 @@
         <translation>{0} der JSON-Datei braucht mindestens {1}. {2}</translation>
     </message>
     <message>
+        <source>The OBJ file has a face that is no list of points. Save it once more.</source>
+        <translation>Die OBJ-Datei hat eine Fläche, die keine Liste von Punkten ist. Noch einmal speichern.</translation>
+    </message>
+    <message>
+        <source>The OBJ file has no faces. Save the body as a mesh of triangles.</source>
+        <translation>Die OBJ-Datei hat keine Flächen. Den Körper als Netz aus Dreiecken speichern.</translation>
+    </message>
+    <message>
+        <source>The PLY file has no faces. Save the body as a mesh of triangles.</source>
+        <translation>Die PLY-Datei hat keine Flächen. Den Körper als Netz aus Dreiecken speichern.</translation>
+    </message>
+    <message>
+        <source>The PLY file is damaged: {} Save it once more.</source>
+        <translation>Die PLY-Datei ist beschädigt: {} Noch einmal speichern.</translation>
+    </message>
+    <message>
         <source>The Poisson's ratio {0} is not between 0 and 0.5: give one such as 0.38.</source>
         <translation>Die Querkontraktionszahl {0} liegt nicht zwischen 0 und 0,5: zum Beispiel 0.38 angeben.</translation>
     </message>
     <message>
         <source>The Python package {0} is missing. {1} To get it: pip install {2}</source>
         <translation>Das Python-Paket {0} fehlt. {1} So kommt es: pip install {2}</translation>
+    </message>
+    <message>
+        <source>The STL file is damaged: it ends too early. Save it once more.</source>
+        <translation>Die STL-Datei ist beschädigt: sie endet zu früh. Noch einmal speichern.</translation>
+    </message>
+    <message>
+        <source>The STL file is damaged: it has no triangles, or half of one. Save it once more.</source>
+        <translation>Die STL-Datei ist beschädigt: sie hat keine Dreiecke oder ein halbes. Noch einmal speichern.</translation>
     </message>
     <message>
         <source>The SVG file cannot be read ({0}). Save it as plain SVG once more.</source>
@@ -3527,6 +3803,10 @@
         <translation>Der Beutel hat {0} Bahnen, mehr als {1}. Ihn aus weniger und größeren machen.</translation>
     </message>
     <message>
+        <source>The balloon</source>
+        <translation>Der Ballon</translation>
+    </message>
+    <message>
         <source>The balloon has no opening: say at which edge it is filled, or choose no intake.</source>
         <translation>Der Ballon hat keine Öffnung: sagen, an welcher Kante er gefüllt wird, oder keinen Füllhals wählen.</translation>
     </message>
@@ -3547,6 +3827,10 @@
         <translation>Der Ballon aus {0} Segmenten liegt im Mittel {1} seiner Diagonale neben dem Profil, und {2} waren verlangt: seine Nähte stehen bis zu {3} über die Mitte der Segmente hinaus. {4}</translation>
     </message>
     <message>
+        <source>The balloon stays {0} from the body on average, {1} of its diagonal: flat panels bulge between their seams. Take more than {2} panels.</source>
+        <translation>Der Ballon bleibt im Mittel {0} vom Körper entfernt, {1} von dessen Diagonale: flache Bahnen wölben sich zwischen ihren Nähten. Mehr als {2} Bahnen nehmen.</translation>
+    </message>
+    <message>
         <source>The balloon whose weld creases did not come to rest; what is told of it is its last good state.</source>
         <translation>Der Ballon mit knitternder Naht kam nicht zur Ruhe; die Angaben über ihn gelten für seinen letzten guten Stand.</translation>
     </message>
@@ -3561,6 +3845,22 @@
     <message>
         <source>The body '{0}' has no '{1}'. It has {2}.</source>
         <translation>Der Körper „{0}“ hat kein '{1}'. Er hat {2}.</translation>
+    </message>
+    <message>
+        <source>The body is thinner than {0} over {1} of its surface: film bulges there. Make such parts of two panels of their own, or thicker.</source>
+        <translation>Der Körper ist auf {1} seiner Oberfläche dünner als {0}: Dort wölbt sich Film. Solche Teile aus zwei eigenen Bahnen machen, oder dicker.</translation>
+    </message>
+    <message>
+        <source>The body is {0} long. Give a width or a height, so that it is between {1} and {2}.</source>
+        <translation>Der Körper ist {0} lang. Eine Breite oder Höhe angeben, sodass er zwischen {1} und {2} liegt.</translation>
+    </message>
+    <message>
+        <source>The body of the mesh is flat: it encloses {0} % of its size. Give a closed body, or a drawing for two equal panels.</source>
+        <translation>Der Körper des Netzes ist flach: er umschließt {0} % seiner Größe. Einen geschlossenen Körper geben oder eine Zeichnung für zwei gleiche Bahnen.</translation>
+    </message>
+    <message>
+        <source>The body of the profile is {0} high and {1} wide: no balloon is so flat. Draw its profile higher, or make it of two panels.</source>
+        <translation>Der Körper des Profils ist {0} hoch und {1} breit: so flach ist kein Ballon. Sein Profil höher zeichnen oder ihn aus zwei Bahnen machen.</translation>
     </message>
     <message>
         <source>The caps are too large for the ball. Choose a smaller diameter for them.</source>
@@ -3649,6 +3949,18 @@
     <message>
         <source>The edges of the chosen seam are free again</source>
         <translation>Die Kanten der gewählten Naht sind wieder frei</translation>
+    </message>
+    <message>
+        <source>The faces of {0} cannot be told from each other in a mesh. Repair the solid, or give a mesh of it.</source>
+        <translation>Die Flächen von {0} lassen sich in einem Netz nicht voneinander unterscheiden. Den Volumenkörper reparieren oder ein Netz davon geben.</translation>
+    </message>
+    <message>
+        <source>The file does not name its unit: the largest size in it, {0}, is taken as metres. Give a width to have another one.</source>
+        <translation>Die Datei nennt ihre Einheit nicht: Das größte Maß darin, {0}, wird als Meter genommen. Für eine andere Größe eine Breite angeben.</translation>
+    </message>
+    <message>
+        <source>The file has no solid that can be read. Save it once more as STEP.</source>
+        <translation>Die Datei hat keinen lesbaren Volumenkörper. Noch einmal als STEP speichern.</translation>
     </message>
     <message>
         <source>The file is XML but no SVG drawing. Choose a drawing.</source>
@@ -3855,12 +4167,36 @@
         <translation>In der Maschinendatei {0} fehlt {1}: es ergänzen.</translation>
     </message>
     <message>
+        <source>The mesh has a triangle with a point that is not there. Save it once more.</source>
+        <translation>Das Netz hat ein Dreieck mit einem Punkt, den es nicht gibt. Noch einmal speichern.</translation>
+    </message>
+    <message>
         <source>The mesh has a vertex without triangles. Mesh the outline anew.</source>
         <translation>Das Netz hat einen Knoten ohne Dreieck. Den Umriss neu vernetzen.</translation>
     </message>
     <message>
+        <source>The mesh has no triangle. Save the body as a mesh of triangles.</source>
+        <translation>Das Netz hat kein Dreieck. Den Körper als Netz aus Dreiecken speichern.</translation>
+    </message>
+    <message>
+        <source>The mesh has too many triangles, more than {0}. Simplify it in the program that it comes from.</source>
+        <translation>Das Netz hat zu viele Dreiecke, mehr als {0}. Es in dem Programm vereinfachen, aus dem es kommt.</translation>
+    </message>
+    <message>
+        <source>The mesh is flat. Give a closed body, or a drawing for two equal panels.</source>
+        <translation>Das Netz ist flach. Einen geschlossenen Körper geben oder eine Zeichnung für zwei gleiche Bahnen.</translation>
+    </message>
+    <message>
+        <source>The mesh is not closed: a hole is {0} % of its size long round. Close it in the program that the mesh comes from.</source>
+        <translation>Das Netz ist nicht geschlossen: ein Loch misst rundum {0} % seiner Größe. Es in dem Programm schließen, aus dem das Netz kommt.</translation>
+    </message>
+    <message>
         <source>The mesh size is {0}: give one above 0.</source>
         <translation>Die Netzweite ist {0}: einen Wert über 0 angeben.</translation>
+    </message>
+    <message>
+        <source>The mesh was made simpler. Its triangles were: {0}.</source>
+        <translation>Das Netz wurde vereinfacht. Es hatte so viele Dreiecke: {0}.</translation>
     </message>
     <message>
         <source>The native solver cannot be saved. {0}</source>
@@ -4207,6 +4543,10 @@
         <translation>Die Zusammenfassung kann nicht angezeigt werden ({0}); {1}.</translation>
     </message>
     <message>
+        <source>The surface of the mesh has no outside, as a Moebius strip. Give the mesh of a solid.</source>
+        <translation>Die Oberfläche des Netzes hat keine Außenseite, wie ein Möbiusband. Das Netz eines Volumenkörpers geben.</translation>
+    </message>
+    <message>
         <source>The temperature of the {0}, {1} degrees Celsius, is out of range: give one such as 20C.</source>
         <translation>Die Temperatur ({0}) von {1} Grad Celsius ist außerhalb des Bereichs: zum Beispiel 20C angeben.</translation>
     </message>
@@ -4265,6 +4605,10 @@
     <message>
         <source>The {0} end of the profile is {1} away from the axis, so no gores can meet there in a point. Close it with a disc, or leave it open.</source>
         <translation>Das Ende ({0}) des Profils ist {1} von der Achse entfernt, also können sich dort keine Segmente in einem Punkt treffen. Es mit einer Scheibe schließen oder offen lassen.</translation>
+    </message>
+    <message>
+        <source>The {0} file has a point that is no three numbers. Save it once more.</source>
+        <translation>Die {0}-Datei hat einen Punkt, der nicht aus drei Zahlen besteht. Noch einmal speichern.</translation>
     </message>
     <message>
         <source>The {0} is {1} mm: give one above 0, for example 300 mm.</source>
@@ -4533,6 +4877,18 @@
     <message>
         <source>Triangle {0} of panel {1} runs clockwise. Mesh the panel anew.</source>
         <translation>Dreieck {0} von Bahn {1} läuft im Uhrzeigersinn. Die Bahn neu vernetzen.</translation>
+    </message>
+    <message>
+        <source>Triangles of the mesh that lay on others were left out: {0}.</source>
+        <translation>Dreiecke des Netzes, die auf anderen lagen, wurden weggelassen: {0}.</translation>
+    </message>
+    <message>
+        <source>Triangles of the mesh that were the wrong way round were turned: {0}.</source>
+        <translation>Dreiecke des Netzes, die falsch herum lagen, wurden gewendet: {0}.</translation>
+    </message>
+    <message>
+        <source>Triangles of the mesh whose points are no numbers were left out: {0}.</source>
+        <translation>Dreiecke des Netzes, deren Punkte keine Zahlen sind, wurden weggelassen: {0}.</translation>
     </message>
     <message>
         <source>Try temperature and time on two scraps: the weld must stretch or tear before it opens.</source>
@@ -4831,8 +5187,20 @@
         <translation>ein LightBurn-Projekt hat Ebenen bis {0}: den Stift ändern.</translation>
     </message>
     <message>
+        <source>a body consists of itself, or of one that is not there</source>
+        <translation>ein Körper besteht aus sich selbst oder aus einem, den es nicht gibt</translation>
+    </message>
+    <message>
         <source>a coordinate is not a number</source>
         <translation>eine Koordinate ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>a face is no list of points.</source>
+        <translation>eine Fläche ist keine Liste von Punkten.</translation>
+    </message>
+    <message>
+        <source>a point is no three numbers.</source>
+        <translation>ein Punkt besteht nicht aus drei Zahlen.</translation>
     </message>
     <message>
         <source>a transform is not a number</source>
@@ -4873,6 +5241,10 @@
     <message>
         <source>artwork.pdf was left out. {0}</source>
         <translation>artwork.pdf wurde weggelassen. {0}</translation>
+    </message>
+    <message>
+        <source>at most {} ({})</source>
+        <translation>höchstens {} ({})</translation>
     </message>
     <message>
         <source>at most {} {}</source>
@@ -5019,6 +5391,10 @@
         <translation>im Mittel {}</translation>
     </message>
     <message>
+        <source>in the mean {} ({})</source>
+        <translation>im Mittel {} ({})</translation>
+    </message>
+    <message>
         <source>in {}</source>
         <translation>in {}</translation>
     </message>
@@ -5039,6 +5415,14 @@
         <translation>zeitliches Aufblasen</translation>
     </message>
     <message>
+        <source>intake piece {0}</source>
+        <translation>Füllhals-Stück {0}</translation>
+    </message>
+    <message>
+        <source>it ends too early.</source>
+        <translation>sie endet zu früh.</translation>
+    </message>
+    <message>
         <source>it is nested too deeply</source>
         <translation>sie ist zu tief verschachtelt</translation>
     </message>
@@ -5057,6 +5441,22 @@
     <message>
         <source>it would grow together with another part</source>
         <translation>sie würde mit einem anderen Teil zusammenwachsen</translation>
+    </message>
+    <message>
+        <source>its header cannot be understood.</source>
+        <translation>ihr Dateikopf ist nicht zu verstehen.</translation>
+    </message>
+    <message>
+        <source>its header has no end.</source>
+        <translation>ihr Dateikopf hat kein Ende.</translation>
+    </message>
+    <message>
+        <source>its points have lists.</source>
+        <translation>ihre Punkte haben Listen.</translation>
+    </message>
+    <message>
+        <source>its points have no x, y and z.</source>
+        <translation>ihre Punkte haben kein x, y und z.</translation>
     </message>
     <message>
         <source>known of two equal panels alone</source>
@@ -5267,6 +5667,10 @@
         <translation>der Nahtsteifigkeit fehlt ihre Quelle: angeben, woher sie stammt, oder „assumed“.</translation>
     </message>
     <message>
+        <source>there is no model in it</source>
+        <translation>sie enthält kein Modell</translation>
+    </message>
+    <message>
         <source>there is no such corner</source>
         <translation>es gibt keine solche Ecke</translation>
     </message>
@@ -5427,6 +5831,10 @@
         <translation>{0} hat noch kein Ergebnis: neu berechnen.</translation>
     </message>
     <message>
+        <source>{0} has no shape. Choose a solid or a mesh.</source>
+        <translation>{0} hat keine Form. Einen Volumenkörper oder ein Netz wählen.</translation>
+    </message>
+    <message>
         <source>{0} has no shape: select a sketch, a wire or a face.</source>
         <translation>{0} hat keine Form: eine Skizze, einen Draht oder eine Fläche wählen.</translation>
     </message>
@@ -5443,8 +5851,16 @@
         <translation>{0} hat mehrere Flächen: die wählen, die Bahnen sind.</translation>
     </message>
     <message>
+        <source>{0} has {1} bodies: choose one of them.</source>
+        <translation>{0} hat {1} Körper: einen davon wählen.</translation>
+    </message>
+    <message>
         <source>{0} has {1} construction lines: leave one of them, which is the axis.</source>
         <translation>{0} hat {1} Hilfslinien: eine davon lassen, das ist die Achse.</translation>
+    </message>
+    <message>
+        <source>{0} has {1} pieces now: delete it.</source>
+        <translation>{0} hat jetzt {1} Stücke: dieses Stück löschen.</translation>
     </message>
     <message>
         <source>{0} hole with a thin line round it was filled, as a pen's: choose Drawn as filled shape to keep it.</source>
@@ -5467,6 +5883,10 @@
         <translation>{0} ist eine Kante eines Lochs: eine des äußeren Rands als Öffnung wählen.</translation>
     </message>
     <message>
+        <source>{0} is curved both ways, so that its film folds. Give a number of panels, into which the body is divided.</source>
+        <translation>{0} ist in beide Richtungen gekrümmt, sodass die Folie Falten wirft. Eine Zahl von Bahnen angeben, in die der Körper geteilt wird.</translation>
+    </message>
+    <message>
         <source>{0} is damaged or incomplete ({1}). Install the workbench anew.</source>
         <translation>{0} ist beschädigt oder unvollständig ({1}). Den Arbeitsbereich neu installieren.</translation>
     </message>
@@ -5485,6 +5905,10 @@
     <message>
         <source>{0} is empty: draw half an outline in it, beside the vertical axis.</source>
         <translation>{0} ist leer: darin einen halben Umriss neben der senkrechten Achse zeichnen.</translation>
+    </message>
+    <message>
+        <source>{0} is hollow: choose a solid without a space inside.</source>
+        <translation>{0} ist hohl: einen Volumenkörper ohne Hohlraum wählen.</translation>
     </message>
     <message>
         <source>{0} is in no seam. Seal it to another edge.</source>
@@ -5509,6 +5933,10 @@
     <message>
         <source>{0} is not a coordinate</source>
         <translation>{0} ist keine Koordinate</translation>
+    </message>
+    <message>
+        <source>{0} is not closed: film can only be filled where it is. Choose a solid.</source>
+        <translation>{0} ist nicht geschlossen: Folie lässt sich nur füllen, wenn sie geschlossen ist. Einen Volumenkörper wählen.</translation>
     </message>
     <message>
         <source>{0} is not flat: a balloon is cut from flat film, so draw it in one plane.</source>
@@ -5743,6 +6171,10 @@
         <translation>{} {}</translation>
     </message>
     <message>
+        <source>{} panels, {} of seams, {} inside</source>
+        <translation>{} Bahnen, {} Nähte, {} Inhalt</translation>
+    </message>
+    <message>
         <source>{} x {}, {} thick, {}</source>
         <translation>{} x {}, {} dick, {}</translation>
     </message>
@@ -5869,6 +6301,17 @@
     <message>
         <source>Write the flat pattern of a balloon for a cutter, a plotter, a heat sealer or a printer</source>
         <translation>Schreibt das flache Schnittmuster eines Ballons für Schneidemaschine, Plotter, Heißsiegler oder Drucker</translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_FromBody</name>
+    <message>
+        <source>Find the panels of a balloon that fills the selected solid or mesh</source>
+        <translation>Die Bahnen eines Ballons finden, der den gewählten Volumenkörper oder das gewählte Netz füllt</translation>
+    </message>
+    <message>
+        <source>New balloon from body</source>
+        <translation>Neuer Ballon aus Volumenkörper</translation>
     </message>
 </context>
 <context>

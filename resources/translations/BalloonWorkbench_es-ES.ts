@@ -36,6 +36,10 @@
         <translation>Superficie de película dentro de las soldaduras, todos los paneles</translation>
     </message>
     <message>
+        <source>Area of the piece of film</source>
+        <translation>Superficie de la pieza de película</translation>
+    </message>
+    <message>
         <source>Around the balloon, in degrees Celsius</source>
         <translation>Alrededor del globo, en grados Celsius</translation>
     </message>
@@ -164,6 +168,10 @@
         <translation>Altura de un cuerpo de un archivo; 0 resulta</translation>
     </message>
     <message>
+        <source>Height of a mesh from a file, along z; 0 follows</source>
+        <translation>Altura de una malla de un archivo, según z; 0 resulta</translation>
+    </message>
+    <message>
         <source>Height of all that is cut</source>
         <translation>Altura de todo lo que se corta</translation>
     </message>
@@ -264,6 +272,10 @@
         <translation>Anchura interior del cuello, o calibre de la boquilla</translation>
     </message>
     <message>
+        <source>Into how many panels the body is divided; 0 takes the faces of a solid, 16 panels of a mesh</source>
+        <translation>En cuántos paneles se divide el cuerpo; 0 toma las caras de un sólido, o 16 paneles de una malla</translation>
+    </message>
+    <message>
         <source>It carries itself</source>
         <translation>Se sostiene por sí mismo</translation>
     </message>
@@ -282,6 +294,10 @@
     <message>
         <source>Label of what was laid out</source>
         <translation>Marca de lo que se colocó</translation>
+    </message>
+    <message>
+        <source>Label that the workbench has given it</source>
+        <translation>Etiqueta que le ha dado el banco de trabajo</translation>
     </message>
     <message>
         <source>Larger dimension before repairs, in mm</source>
@@ -324,8 +340,16 @@
         <translation>Longitud de una lámina; 0 es un rollo</translation>
     </message>
     <message>
+        <source>Length of all seams on the body</source>
+        <translation>Longitud de todas las costuras sobre el cuerpo</translation>
+    </message>
+    <message>
         <source>Length of all welds on it</source>
         <translation>Longitud de todas las soldaduras</translation>
+    </message>
+    <message>
+        <source>Length of its welds</source>
+        <translation>Longitud de sus soldaduras</translation>
     </message>
     <message>
         <source>Length of the natural shape's gores, from its lower to its upper end</source>
@@ -372,8 +396,12 @@
         <translation>Nombres de los paneles</translation>
     </message>
     <message>
-        <source>Notches to lay both films on each other by, evenly along the cut</source>
-        <translation>Muescas para casar ambas películas, repartidas a lo largo del corte</translation>
+        <source>Names of the panels and other pieces</source>
+        <translation>Nombres de los paneles y de las demás piezas</translation>
+    </message>
+    <message>
+        <source>Notches to lay both films on each other by, evenly along the cut; of many panels, groups of them on each seam, 0 as many as its length needs</source>
+        <translation>Muescas para poner las dos películas una sobre otra, repartidas por igual a lo largo del corte; con muchos paneles, grupos de ellas en cada costura, 0 tantas como necesita su longitud</translation>
     </message>
     <message>
         <source>Number of corners of each loop</source>
@@ -394,6 +422,10 @@
     <message>
         <source>Number of holes</source>
         <translation>Número de agujeros</translation>
+    </message>
+    <message>
+        <source>Number of panels</source>
+        <translation>Número de paneles</translation>
     </message>
     <message>
         <source>Number of pieces on what is shown</source>
@@ -436,6 +468,10 @@
         <translation>Solo una cara de esta película se puede unir así</translation>
     </message>
     <message>
+        <source>Panel of each triangle</source>
+        <translation>Panel de cada triángulo</translation>
+    </message>
+    <message>
         <source>Panels and seams as JSON, in metres</source>
         <translation>Paneles y costuras como JSON, en metros</translation>
     </message>
@@ -468,6 +504,10 @@
         <translation>Lugares del contorno que se mueven si la soldadura se arruga, el peor primero</translation>
     </message>
     <message>
+        <source>Points of the body's triangles</source>
+        <translation>Puntos de los triángulos del cuerpo</translation>
+    </message>
+    <message>
         <source>Points of the profile: radius, 0, height</source>
         <translation>Puntos del perfil: radio, 0, altura</translation>
     </message>
@@ -494,6 +534,10 @@
     <message>
         <source>Remarks made during the design</source>
         <translation>Observaciones hechas durante el diseño</translation>
+    </message>
+    <message>
+        <source>Remarks made while the body was read</source>
+        <translation>Observaciones al leer el cuerpo</translation>
     </message>
     <message>
         <source>Remarks made while the outline was found</source>
@@ -524,6 +568,10 @@
         <translation>Resultado que se muestra en colores, con leyenda</translation>
     </message>
     <message>
+        <source>STL, OBJ, PLY, 3MF or STEP file of a closed body; a copy travels in the document</source>
+        <translation>Archivo STL, OBJ, PLY, 3MF o STEP de un cuerpo cerrado; una copia viaja en el documento</translation>
+    </message>
+    <message>
         <source>SVG, DXF or JSON file of half the outline; a copy travels in the document</source>
         <translation>Archivo SVG, DXF o JSON de medio contorno; una copia viaja en el documento</translation>
     </message>
@@ -538,6 +586,10 @@
     <message>
         <source>Simulate both panels instead of one and its mirror image</source>
         <translation>Simular ambos paneles en vez de uno y su imagen especular</translation>
+    </message>
+    <message>
+        <source>Size of the body along x, y and z</source>
+        <translation>Tamaño del cuerpo según x, y y z</translation>
     </message>
     <message>
         <source>Size of the triangles; 0 is automatic</source>
@@ -558,6 +610,14 @@
     <message>
         <source>Smooth stretches as single splines in place of arcs</source>
         <translation>Tramos suaves como una sola spline en lugar de arcos</translation>
+    </message>
+    <message>
+        <source>So far outside of the body, or inside, the film lies at least</source>
+        <translation>Distancia mínima de la película al cuerpo, por fuera o por dentro</translation>
+    </message>
+    <message>
+        <source>Solid or mesh that the balloon is to fill, which it follows</source>
+        <translation>Sólido o malla que el globo ha de llenar y al que sigue</translation>
     </message>
     <message>
         <source>Solver that was used</source>
@@ -598,6 +658,10 @@
     <message>
         <source>The pattern that is printed</source>
         <translation>El patrón que se imprime</translation>
+    </message>
+    <message>
+        <source>The pattern that it is a piece of</source>
+        <translation>El patrón del que es una pieza</translation>
     </message>
     <message>
         <source>The patterns that are laid out</source>
@@ -644,6 +708,14 @@
         <translation>Grosor del globo inflado</translation>
     </message>
     <message>
+        <source>Three points of each triangle</source>
+        <translation>Tres puntos de cada triángulo</translation>
+    </message>
+    <message>
+        <source>Two points of each edge at which a panel is cut open</source>
+        <translation>Dos puntos de cada borde por el que se abre con un corte un panel</translation>
+    </message>
+    <message>
         <source>Up to date, or what is wrong</source>
         <translation>Al día, o qué falla</translation>
     </message>
@@ -674,6 +746,10 @@
     <message>
         <source>Volume of the balloon, from which the pressure follows</source>
         <translation>Volumen del globo, del que se deduce la presión</translation>
+    </message>
+    <message>
+        <source>Volume of the body</source>
+        <translation>Volumen del cuerpo</translation>
     </message>
     <message>
         <source>Volume of the inflated balloon</source>
@@ -720,6 +796,10 @@
         <translation>Lo que levanta con su gas, en gramos; por debajo de 0 cae</translation>
     </message>
     <message>
+        <source>What it is called on the pattern</source>
+        <translation>Cómo se llama en el patrón</translation>
+    </message>
+    <message>
         <source>What it is to be: an outline, a body of gores or a bag</source>
         <translation>Qué ha de ser: un contorno, un cuerpo de gajos o una bolsa</translation>
     </message>
@@ -734,6 +814,10 @@
     <message>
         <source>What the balloon is made of; Custom lets you give your own values</source>
         <translation>De qué está hecho el globo; «Personalizada» permite valores propios</translation>
+    </message>
+    <message>
+        <source>What the body was read from</source>
+        <translation>De dónde se leyó el cuerpo</translation>
     </message>
     <message>
         <source>What the design of many panels has figures, as JSON</source>
@@ -784,6 +868,10 @@
         <translation>Si un láser puede cortar esta película</translation>
     </message>
     <message>
+        <source>Whether the balloon follows the body, encloses or lines it</source>
+        <translation>Si el globo sigue el cuerpo, lo envuelve o lo reviste por dentro</translation>
+    </message>
+    <message>
         <source>Which edges are joined</source>
         <translation>Qué bordes se unen</translation>
     </message>
@@ -792,12 +880,24 @@
         <translation>Qué película se coloca: las piezas de una válvula van en una propia</translation>
     </message>
     <message>
+        <source>Which of them each wire belongs to; 0: a copy</source>
+        <translation>A cuál de ellos pertenece cada alambre; 0: una copia</translation>
+    </message>
+    <message>
+        <source>Which piece of the pattern it is, from 1</source>
+        <translation>Qué pieza del patrón es, desde 1</translation>
+    </message>
+    <message>
         <source>Which shape of the drawing it is; 1 is the largest</source>
         <translation>Qué forma del dibujo es; 1 es la mayor</translation>
     </message>
     <message>
         <source>Width from which it carries itself; 0 when never</source>
         <translation>Anchura desde la que se sostiene; 0: nunca</translation>
+    </message>
+    <message>
+        <source>Width of a mesh from a file, along x; 0 follows from the height, or the file</source>
+        <translation>Anchura de una malla de un archivo, según x; 0 resulta de la altura, o del archivo</translation>
     </message>
     <message>
         <source>Width of a side band between front and back; 0 is two panels</source>
@@ -899,16 +999,16 @@
         <translation>«{0}» no tiene perfil: dé medio contorno del cuerpo en SVG, DXF o JSON.</translation>
     </message>
     <message>
-        <source>'{0}' has the size of its panels, so the balloon cannot be scaled to fit: leave out --oversize scale.</source>
-        <translation>«{0}» tiene el tamaño de sus paneles, así que el globo no se puede reducir: quite --oversize scale.</translation>
-    </message>
-    <message>
         <source>'{0}' has the size of its panels: leave out the width and the height.</source>
         <translation>«{0}» tiene el tamaño de sus paneles: quite la anchura y la altura.</translation>
     </message>
     <message>
         <source>'{0}' has {1} x {2} pixels, more than {3} million. Make it smaller; 2000 pixels across are plenty.</source>
         <translation>«{0}» tiene {1} x {2} píxeles, más de {3} millones. Redúzcala; 2000 píxeles de ancho bastan de sobra.</translation>
+    </message>
+    <message>
+        <source>'{0}' is a body: leave out what you give of gores or of a side band.</source>
+        <translation>«{0}» es un cuerpo: quite lo que indica de gajos o de una banda lateral.</translation>
     </message>
     <message>
         <source>'{0}' is a pipe or a device: save what comes from it, and name that file.</source>
@@ -947,8 +1047,16 @@
         <translation>«{0}» supera {1} MB. Simplifique el dibujo.</translation>
     </message>
     <message>
+        <source>'{0}' is larger than {1} MB. Simplify the mesh.</source>
+        <translation>«{0}» supera {1} MB. Simplifique la malla.</translation>
+    </message>
+    <message>
         <source>'{0}' is neither SVG, DXF nor JSON. Save the drawing as one of these.</source>
         <translation>«{0}» no es SVG, DXF ni JSON. Guarde el dibujo como uno de ellos.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no closed body: leave out --panels, or give an STL, OBJ, PLY or 3MF.</source>
+        <translation>«{0}» no es un cuerpo cerrado: quite --panels, o dé un STL, OBJ, PLY o 3MF.</translation>
     </message>
     <message>
         <source>'{0}' is no size: write 500mm for a width, 500mmx700mm for width and height.</source>
@@ -1007,6 +1115,10 @@
         <translation>Se pueden colocar de 1 a {0} piezas, no {1}.</translation>
     </message>
     <message>
+        <source>95 % below {} ({})</source>
+        <translation>95 % por debajo de {} ({})</translation>
+    </message>
+    <message>
         <source>A balloon has no "{0}": it has {1}.</source>
         <translation>Un globo no tiene «{0}»: tiene {1}.</translation>
     </message>
@@ -1029,6 +1141,10 @@
     <message>
         <source>A body of gores has no side band: leave out what you give of the one or of the other.</source>
         <translation>Un cuerpo de gajos no tiene banda lateral: quite lo que indica de uno o de otra.</translation>
+    </message>
+    <message>
+        <source>A closed body; a copy of it travels in the document</source>
+        <translation>Un cuerpo cerrado; una copia de él viaja en el documento</translation>
     </message>
     <message>
         <source>A corner relief of {0} would cut into the weld: choose a smaller radius or a wider allowance.</source>
@@ -1203,6 +1319,10 @@
         <translation>Todos los paneles están una vez en la lámina: ninguno se dibuja otra vez reflejado.</translation>
     </message>
     <message>
+        <source>All points of the mesh are in one place. Save the body as a mesh of triangles.</source>
+        <translation>Todos los puntos de la malla están en un mismo lugar. Guarde el cuerpo como malla de triángulos.</translation>
+    </message>
+    <message>
         <source>Allowance</source>
         <translation>Margen</translation>
     </message>
@@ -1347,6 +1467,14 @@
         <translation>Azul 0, verde {}, rojo {}</translation>
     </message>
     <message>
+        <source>Bodies</source>
+        <translation>Cuerpos</translation>
+    </message>
+    <message>
+        <source>Body</source>
+        <translation>Cuerpo</translation>
+    </message>
+    <message>
         <source>Both panels</source>
         <translation>Ambos paneles</translation>
     </message>
@@ -1361,6 +1489,10 @@
     <message>
         <source>Brush</source>
         <translation>Pincel</translation>
+    </message>
+    <message>
+        <source>By at least</source>
+        <translation>Distancia mínima</translation>
     </message>
     <message>
         <source>Cannot write to {0}: {1}. Choose another folder, or make room there.</source>
@@ -1385,6 +1517,10 @@
     <message>
         <source>Checking the pattern</source>
         <translation>Comprobando el patrón</translation>
+    </message>
+    <message>
+        <source>Choose a body</source>
+        <translation>Elija un cuerpo</translation>
     </message>
     <message>
         <source>Choose a drawing</source>
@@ -1413,6 +1549,10 @@
     <message>
         <source>Choose a sketch or a file with half the outline.</source>
         <translation>Elija un croquis o un archivo con medio contorno.</translation>
+    </message>
+    <message>
+        <source>Choose a solid, a mesh or a file with one.</source>
+        <translation>Elija un sólido, una malla o un archivo que contenga uno.</translation>
     </message>
     <message>
         <source>Choose sketches, a file or a ready body.</source>
@@ -1527,6 +1667,14 @@
         <translation>Distancia</translation>
     </message>
     <message>
+        <source>Distance from profile or drawing</source>
+        <translation>Distancia al perfil o al dibujo</translation>
+    </message>
+    <message>
+        <source>Dividing a body needs scipy: install it with pip install scipy.</source>
+        <translation>Dividir un cuerpo necesita scipy: instálelo con pip install scipy.</translation>
+    </message>
+    <message>
         <source>Dots per inch</source>
         <translation>Puntos por pulgada</translation>
     </message>
@@ -1575,6 +1723,10 @@
         <translation>Cada color de trazo se convierte en una operación: corte rojo, azul y naranja, y ponga todos los demás en ignorar. No lee DXF.</translation>
     </message>
     <message>
+        <source>Edges of the mesh at which more than two triangles meet: {0}. Repair it in the program that it comes from, so that it is the surface of a solid.</source>
+        <translation>Bordes de la malla en los que se juntan más de dos triángulos: {0}. Repárela en el programa del que viene, para que sea la superficie de un sólido.</translation>
+    </message>
+    <message>
         <source>Edit artwork</source>
         <translation>Editar ilustración</translation>
     </message>
@@ -1593,6 +1745,10 @@
     <message>
         <source>Elastic materials</source>
         <translation>Materiales elásticos</translation>
+    </message>
+    <message>
+        <source>Encloses it</source>
+        <translation>Lo envuelve</translation>
     </message>
     <message>
         <source>Eraser</source>
@@ -1735,6 +1891,10 @@
         <translation>Ajustando el patrón</translation>
     </message>
     <message>
+        <source>Flattening needs scipy: install it with pip install scipy.</source>
+        <translation>El aplanado necesita scipy: instálelo con pip install scipy.</translation>
+    </message>
+    <message>
         <source>Folder</source>
         <translation>Carpeta</translation>
     </message>
@@ -1745,6 +1905,10 @@
     <message>
         <source>Follow every change at once</source>
         <translation>Seguir cada cambio al instante</translation>
+    </message>
+    <message>
+        <source>Follows the body</source>
+        <translation>Sigue el cuerpo</translation>
     </message>
     <message>
         <source>For {0} the drawing would be {1} large: choose a volume that makes it {2} to {3}.</source>
@@ -1911,6 +2075,10 @@
         <translation>El agujero {0} del panel «{1}» gira en sentido antihorario. Invierta el orden de sus puntos.</translation>
     </message>
     <message>
+        <source>Holes of the mesh that were closed: {0}.</source>
+        <translation>Agujeros de la malla que se cerraron: {0}.</translation>
+    </message>
+    <message>
         <source>How a balloon follows its pattern can be worked out for an elastic weld alone: choose that one.</source>
         <translation>Cómo sigue un globo a su patrón solo se puede calcular para una soldadura elástica: elija esa.</translation>
     </message>
@@ -2013,6 +2181,10 @@
     <message>
         <source>It is wider now. Ctrl+Z takes that back.</source>
         <translation>Ahora es más ancho. Ctrl+Z lo deshace.</translation>
+    </message>
+    <message>
+        <source>Its pattern is gone: delete it.</source>
+        <translation>Su patrón ya no existe: bórrelo.</translation>
     </message>
     <message>
         <source>JSON</source>
@@ -2159,6 +2331,10 @@
         <translation>Línea</translation>
     </message>
     <message>
+        <source>Lines it inside</source>
+        <translation>Lo reviste por dentro</translation>
+    </message>
+    <message>
         <source>Lines that close around nothing beside the shapes were left out.</source>
         <translation>Se omitieron las líneas junto a las formas que no encierran nada.</translation>
     </message>
@@ -2251,6 +2427,10 @@
         <translation>Atención</translation>
     </message>
     <message>
+        <source>Mirror</source>
+        <translation>Reflejar</translation>
+    </message>
+    <message>
         <source>Mode</source>
         <translation>Modo</translation>
     </message>
@@ -2277,6 +2457,10 @@
     <message>
         <source>Natural shape</source>
         <translation>Forma natural</translation>
+    </message>
+    <message>
+        <source>Near {0} the film stays {1} from the body, which is too thin or too sharp there for panels. Cut such a part off, or divide the body along it.</source>
+        <translation>Cerca de {0} la película queda a {1} del cuerpo, que ahí es demasiado delgado o agudo para paneles. Corte esa parte, o divida el cuerpo a lo largo de ella.</translation>
     </message>
     <message>
         <source>Near {0} the inflated outline stays up to {1} from the drawing, over a length of {2}: film cannot follow it there. Round it off or widen it.</source>
@@ -2309,6 +2493,10 @@
     <message>
         <source>New bag of panels</source>
         <translation>Nueva bolsa de paneles</translation>
+    </message>
+    <message>
+        <source>New balloon from body</source>
+        <translation>Nuevo globo desde un cuerpo</translation>
     </message>
     <message>
         <source>New balloon from picture</source>
@@ -2383,6 +2571,10 @@
         <translation>Aquí no funciona ningún solucionador: {0} Compílelo o instale el paquete scipy.</translation>
     </message>
     <message>
+        <source>No triangle of the mesh has an area. Save the body as a mesh of triangles.</source>
+        <translation>Ningún triángulo de la malla tiene área. Guarde el cuerpo como malla de triángulos.</translation>
+    </message>
+    <message>
         <source>No, use NumPy</source>
         <translation>No, usar NumPy</translation>
     </message>
@@ -2447,8 +2639,16 @@
         <translation>Aceptar y luego {}</translation>
     </message>
     <message>
+        <source>Of the bodies of the mesh only the largest is made; all in all there are: {0}.</source>
+        <translation>De los cuerpos de la malla solo se hace el mayor; en total hay: {0}.</translation>
+    </message>
+    <message>
         <source>Off</source>
         <translation>Desactivada</translation>
+    </message>
+    <message>
+        <source>Off the body</source>
+        <translation>Desvío del cuerpo</translation>
     </message>
     <message>
         <source>Off the drawing</source>
@@ -2463,8 +2663,8 @@
         <translation>Desvío del perfil</translation>
     </message>
     <message>
-        <source>Off the {0}: {1} on average, at most {2}</source>
-        <translation>Desvío del {0}: {1} de media, como mucho {2}</translation>
+        <source>Off the {0}: {1} on average, 95 % below {2}, at most {3}</source>
+        <translation>Desvío del {0}: {1} de media, 95 % por debajo de {2}, como mucho {3}</translation>
     </message>
     <message>
         <source>Offer the native solver where it is missing</source>
@@ -2579,6 +2779,10 @@
         <translation>Panel de película</translation>
     </message>
     <message>
+        <source>Panel '{0}' crosses itself: divide the body otherwise there.</source>
+        <translation>El panel «{0}» se cruza consigo mismo: divida ahí el cuerpo de otro modo.</translation>
+    </message>
+    <message>
         <source>Panel '{0}' crosses or nearly touches itself: separate the parts that meet there.</source>
         <translation>El panel «{0}» se cruza o casi se toca: separe las partes que ahí se juntan.</translation>
     </message>
@@ -2595,6 +2799,10 @@
         <translation>El panel «{0}» se ve desde dentro: sus puntos giran en sentido horario. Refléjelo, o invierta su orden.</translation>
     </message>
     <message>
+        <source>Panel '{0}' is the whole surface and has no edge: divide the body into more panels.</source>
+        <translation>El panel «{0}» es toda la superficie y no tiene borde: divida el cuerpo en más paneles.</translation>
+    </message>
+    <message>
         <source>Panel {0} has a triangle with a vertex that is not there. Mesh it anew.</source>
         <translation>El panel {0} tiene un triángulo con un vértice que no existe. Vuelva a mallarlo.</translation>
     </message>
@@ -2609,6 +2817,14 @@
     <message>
         <source>Panel {0} has no edge {1} for the opening: say another one of its outer loop.</source>
         <translation>El panel {0} no tiene un borde {1} para la abertura: indique otro de su contorno exterior.</translation>
+    </message>
+    <message>
+        <source>Panel {0} has no room for its name: write it beside the cut when you lay it out.</source>
+        <translation>El panel {0} no tiene sitio para su nombre: escríbalo junto al corte cuando lo coloque.</translation>
+    </message>
+    <message>
+        <source>Panel {0} has no room for numbers and arrows of seams: {1}. Its notches tell them apart.</source>
+        <translation>El panel {0} no tiene sitio para números y flechas de costuras: {1}. Sus muescas las distinguen.</translation>
     </message>
     <message>
         <source>Panel {0} is not cut: say another one for the opening.</source>
@@ -2891,6 +3107,10 @@
         <translation>RDWorks (láser Ruida)</translation>
     </message>
     <message>
+        <source>Reading a mesh needs scipy: install it with pip install scipy.</source>
+        <translation>Leer una malla necesita scipy: instálelo con pip install scipy.</translation>
+    </message>
+    <message>
         <source>Ready body</source>
         <translation>Cuerpo listo</translation>
     </message>
@@ -2967,6 +3187,10 @@
         <translation>Redondear con un radio de</translation>
     </message>
     <message>
+        <source>STL, OBJ, PLY, 3MF or STEP</source>
+        <translation>STL, OBJ, PLY, 3MF o STEP</translation>
+    </message>
+    <message>
         <source>SVG files can be written but not read without it; pictures, DXF and JSON can be read.</source>
         <translation>Sin él los archivos SVG se pueden escribir pero no leer; imágenes, DXF y JSON sí.</translation>
     </message>
@@ -3005,6 +3229,10 @@
     <message>
         <source>Scale to fit</source>
         <translation>Reducir para que quepa</translation>
+    </message>
+    <message>
+        <source>Scaled to fit: the balloon is {0} wide instead of {1}.</source>
+        <translation>Reducido para que quepa: el globo mide {0} de ancho en vez de {1}.</translation>
     </message>
     <message>
         <source>Scaled to fit: the drawing is {0} wide instead of {1}.</source>
@@ -3165,6 +3393,10 @@
     <message>
         <source>Select a sketch, a wire or a face in the tree or the 3D view.</source>
         <translation>Seleccione un croquis, un alambre o una cara en el árbol o en la vista 3D.</translation>
+    </message>
+    <message>
+        <source>Select a solid or a mesh, or choose a file.</source>
+        <translation>Elija un sólido o una malla, o un archivo.</translation>
     </message>
     <message>
         <source>Select another</source>
@@ -3383,6 +3615,10 @@
         <translation>Costura con cinta</translation>
     </message>
     <message>
+        <source>Target</source>
+        <translation>Cuerpo objetivo</translation>
+    </message>
+    <message>
         <source>Tension field</source>
         <translation>Campo de tensión</translation>
     </message>
@@ -3439,6 +3675,22 @@
         <translation>El '{0}' del cuerpo «{1}» está fuera de rango. Elija {2}.</translation>
     </message>
     <message>
+        <source>The 3MF file has more than {0} bodies. Leave one of them in it.</source>
+        <translation>El archivo 3MF tiene más de {0} cuerpos. Deje uno de ellos.</translation>
+    </message>
+    <message>
+        <source>The 3MF file has no bodies. Save the body as a mesh of triangles.</source>
+        <translation>El archivo 3MF no tiene cuerpos. Guarde el cuerpo como malla de triángulos.</translation>
+    </message>
+    <message>
+        <source>The 3MF file is damaged ({}). Save it once more.</source>
+        <translation>El archivo 3MF está dañado ({}). Guárdelo de nuevo.</translation>
+    </message>
+    <message>
+        <source>The 3MF file is too large. Simplify the mesh in the program it comes from.</source>
+        <translation>El archivo 3MF es demasiado grande. Simplifique la malla en el programa del que viene.</translation>
+    </message>
+    <message>
         <source>The DXF file has errors; what could be read was taken from it.</source>
         <translation>El archivo DXF tiene errores; se tomó de él lo que se pudo leer.</translation>
     </message>
@@ -3475,12 +3727,36 @@
         <translation>{0} del archivo JSON necesita al menos {1}. {2}</translation>
     </message>
     <message>
+        <source>The OBJ file has a face that is no list of points. Save it once more.</source>
+        <translation>El archivo OBJ tiene una cara que no es una lista de puntos. Guárdelo de nuevo.</translation>
+    </message>
+    <message>
+        <source>The OBJ file has no faces. Save the body as a mesh of triangles.</source>
+        <translation>El archivo OBJ no tiene caras. Guarde el cuerpo como malla de triángulos.</translation>
+    </message>
+    <message>
+        <source>The PLY file has no faces. Save the body as a mesh of triangles.</source>
+        <translation>El archivo PLY no tiene caras. Guarde el cuerpo como malla de triángulos.</translation>
+    </message>
+    <message>
+        <source>The PLY file is damaged: {} Save it once more.</source>
+        <translation>El archivo PLY está dañado: {} Guárdelo de nuevo.</translation>
+    </message>
+    <message>
         <source>The Poisson's ratio {0} is not between 0 and 0.5: give one such as 0.38.</source>
         <translation>El coeficiente de Poisson {0} no está entre 0 y 0,5: indique por ejemplo 0.38.</translation>
     </message>
     <message>
         <source>The Python package {0} is missing. {1} To get it: pip install {2}</source>
         <translation>Falta el paquete de Python {0}. {1} Para obtenerlo: pip install {2}</translation>
+    </message>
+    <message>
+        <source>The STL file is damaged: it ends too early. Save it once more.</source>
+        <translation>El archivo STL está dañado: acaba demasiado pronto. Guárdelo de nuevo.</translation>
+    </message>
+    <message>
+        <source>The STL file is damaged: it has no triangles, or half of one. Save it once more.</source>
+        <translation>El archivo STL está dañado: no tiene triángulos, o le falta parte de uno. Guárdelo de nuevo.</translation>
     </message>
     <message>
         <source>The SVG file cannot be read ({0}). Save it as plain SVG once more.</source>
@@ -3527,6 +3803,10 @@
         <translation>La bolsa tiene {0} paneles, más de {1}. Hágala de menos paneles y mayores.</translation>
     </message>
     <message>
+        <source>The balloon</source>
+        <translation>El globo</translation>
+    </message>
+    <message>
         <source>The balloon has no opening: say at which edge it is filled, or choose no intake.</source>
         <translation>El globo no tiene abertura: diga por qué borde se llena, o elija ninguna boca.</translation>
     </message>
@@ -3547,6 +3827,10 @@
         <translation>El globo de {0} gajos queda de media a {1} de su diagonal del perfil, y se pedía {2}: sus costuras sobresalen hasta {3} del centro de los gajos. {4}</translation>
     </message>
     <message>
+        <source>The balloon stays {0} from the body on average, {1} of its diagonal: flat panels bulge between their seams. Take more than {2} panels.</source>
+        <translation>El globo queda a {0} del cuerpo de media, {1} de su diagonal: los paneles planos se abomban entre sus costuras. Tome más de {2} paneles.</translation>
+    </message>
+    <message>
         <source>The balloon whose weld creases did not come to rest; what is told of it is its last good state.</source>
         <translation>El globo cuya soldadura se arruga no llegó al reposo; lo que se dice de él vale para su último buen estado.</translation>
     </message>
@@ -3561,6 +3845,22 @@
     <message>
         <source>The body '{0}' has no '{1}'. It has {2}.</source>
         <translation>El cuerpo «{0}» no tiene '{1}'. Tiene {2}.</translation>
+    </message>
+    <message>
+        <source>The body is thinner than {0} over {1} of its surface: film bulges there. Make such parts of two panels of their own, or thicker.</source>
+        <translation>El cuerpo es más delgado que {0} en {1} de su superficie: la película se abomba allí. Haga esas partes con dos paneles propios, o más gruesas.</translation>
+    </message>
+    <message>
+        <source>The body is {0} long. Give a width or a height, so that it is between {1} and {2}.</source>
+        <translation>El cuerpo mide {0} de largo. Indique una anchura o una altura, para que quede entre {1} y {2}.</translation>
+    </message>
+    <message>
+        <source>The body of the mesh is flat: it encloses {0} % of its size. Give a closed body, or a drawing for two equal panels.</source>
+        <translation>El cuerpo de la malla es plano: encierra el {0} % de su tamaño. Dé un cuerpo cerrado, o un dibujo para dos paneles iguales.</translation>
+    </message>
+    <message>
+        <source>The body of the profile is {0} high and {1} wide: no balloon is so flat. Draw its profile higher, or make it of two panels.</source>
+        <translation>El cuerpo del perfil mide {0} de alto y {1} de ancho: ningún globo es tan plano. Dibuje su perfil más alto, o hágalo de dos paneles.</translation>
     </message>
     <message>
         <source>The caps are too large for the ball. Choose a smaller diameter for them.</source>
@@ -3649,6 +3949,18 @@
     <message>
         <source>The edges of the chosen seam are free again</source>
         <translation>Los bordes de la costura elegida vuelven a estar libres</translation>
+    </message>
+    <message>
+        <source>The faces of {0} cannot be told from each other in a mesh. Repair the solid, or give a mesh of it.</source>
+        <translation>Las caras de {0} no se pueden distinguir entre sí en una malla. Repare el sólido, o dé una malla de él.</translation>
+    </message>
+    <message>
+        <source>The file does not name its unit: the largest size in it, {0}, is taken as metres. Give a width to have another one.</source>
+        <translation>El archivo no indica su unidad: su mayor medida, {0}, se toma en metros. Indique una anchura para tener otra.</translation>
+    </message>
+    <message>
+        <source>The file has no solid that can be read. Save it once more as STEP.</source>
+        <translation>El archivo no tiene ningún sólido que se pueda leer. Guárdelo de nuevo como STEP.</translation>
     </message>
     <message>
         <source>The file is XML but no SVG drawing. Choose a drawing.</source>
@@ -3855,12 +4167,36 @@
         <translation>Al archivo de máquina {0} le falta {1}: añádalo.</translation>
     </message>
     <message>
+        <source>The mesh has a triangle with a point that is not there. Save it once more.</source>
+        <translation>La malla tiene un triángulo con un punto que no existe. Guárdela de nuevo.</translation>
+    </message>
+    <message>
         <source>The mesh has a vertex without triangles. Mesh the outline anew.</source>
         <translation>La malla tiene un nodo sin triángulos. Malle el contorno de nuevo.</translation>
     </message>
     <message>
+        <source>The mesh has no triangle. Save the body as a mesh of triangles.</source>
+        <translation>La malla no tiene ningún triángulo. Guarde el cuerpo como malla de triángulos.</translation>
+    </message>
+    <message>
+        <source>The mesh has too many triangles, more than {0}. Simplify it in the program that it comes from.</source>
+        <translation>La malla tiene demasiados triángulos, más de {0}. Simplifíquela en el programa del que viene.</translation>
+    </message>
+    <message>
+        <source>The mesh is flat. Give a closed body, or a drawing for two equal panels.</source>
+        <translation>La malla es plana. Dé un cuerpo cerrado, o un dibujo para dos paneles iguales.</translation>
+    </message>
+    <message>
+        <source>The mesh is not closed: a hole is {0} % of its size long round. Close it in the program that the mesh comes from.</source>
+        <translation>La malla no está cerrada: el contorno de un agujero mide el {0} % de su tamaño. Ciérrelo en el programa del que viene la malla.</translation>
+    </message>
+    <message>
         <source>The mesh size is {0}: give one above 0.</source>
         <translation>El tamaño de malla es {0}: indique uno mayor que 0.</translation>
+    </message>
+    <message>
+        <source>The mesh was made simpler. Its triangles were: {0}.</source>
+        <translation>La malla se ha simplificado. Triángulos que tenía: {0}.</translation>
     </message>
     <message>
         <source>The native solver cannot be saved. {0}</source>
@@ -4207,6 +4543,10 @@
         <translation>El resumen no se puede mostrar ({0}); {1}.</translation>
     </message>
     <message>
+        <source>The surface of the mesh has no outside, as a Moebius strip. Give the mesh of a solid.</source>
+        <translation>La superficie de la malla no tiene lado exterior, como una cinta de Moebius. Dé la malla de un sólido.</translation>
+    </message>
+    <message>
         <source>The temperature of the {0}, {1} degrees Celsius, is out of range: give one such as 20C.</source>
         <translation>La temperatura ({0}) de {1} grados Celsius está fuera de rango: indique por ejemplo 20C.</translation>
     </message>
@@ -4265,6 +4605,10 @@
     <message>
         <source>The {0} end of the profile is {1} away from the axis, so no gores can meet there in a point. Close it with a disc, or leave it open.</source>
         <translation>El extremo ({0}) del perfil está a {1} del eje, así que ahí los gajos no pueden juntarse en una punta. Ciérrelo con un disco, o déjelo abierto.</translation>
+    </message>
+    <message>
+        <source>The {0} file has a point that is no three numbers. Save it once more.</source>
+        <translation>El archivo {0} tiene un punto que no son tres números. Guárdelo de nuevo.</translation>
     </message>
     <message>
         <source>The {0} is {1} mm: give one above 0, for example 300 mm.</source>
@@ -4533,6 +4877,18 @@
     <message>
         <source>Triangle {0} of panel {1} runs clockwise. Mesh the panel anew.</source>
         <translation>El triángulo {0} del panel {1} gira en sentido horario. Vuelva a mallar el panel.</translation>
+    </message>
+    <message>
+        <source>Triangles of the mesh that lay on others were left out: {0}.</source>
+        <translation>Triángulos de la malla que estaban sobre otros y se omitieron: {0}.</translation>
+    </message>
+    <message>
+        <source>Triangles of the mesh that were the wrong way round were turned: {0}.</source>
+        <translation>Triángulos de la malla que estaban al revés y se giraron: {0}.</translation>
+    </message>
+    <message>
+        <source>Triangles of the mesh whose points are no numbers were left out: {0}.</source>
+        <translation>Triángulos de la malla cuyos puntos no son números y se omitieron: {0}.</translation>
     </message>
     <message>
         <source>Try temperature and time on two scraps: the weld must stretch or tear before it opens.</source>
@@ -4831,8 +5187,20 @@
         <translation>un proyecto de LightBurn tiene capas hasta la {0}: cambie la pluma.</translation>
     </message>
     <message>
+        <source>a body consists of itself, or of one that is not there</source>
+        <translation>un cuerpo consta de sí mismo, o de uno que no existe</translation>
+    </message>
+    <message>
         <source>a coordinate is not a number</source>
         <translation>una coordenada no es un número</translation>
+    </message>
+    <message>
+        <source>a face is no list of points.</source>
+        <translation>una cara no es una lista de puntos.</translation>
+    </message>
+    <message>
+        <source>a point is no three numbers.</source>
+        <translation>un punto no son tres números.</translation>
     </message>
     <message>
         <source>a transform is not a number</source>
@@ -4873,6 +5241,10 @@
     <message>
         <source>artwork.pdf was left out. {0}</source>
         <translation>Se omitió artwork.pdf. {0}</translation>
+    </message>
+    <message>
+        <source>at most {} ({})</source>
+        <translation>como mucho {} ({})</translation>
     </message>
     <message>
         <source>at most {} {}</source>
@@ -5019,6 +5391,10 @@
         <translation>de media {}</translation>
     </message>
     <message>
+        <source>in the mean {} ({})</source>
+        <translation>de media {} ({})</translation>
+    </message>
+    <message>
         <source>in {}</source>
         <translation>en {}</translation>
     </message>
@@ -5039,6 +5415,14 @@
         <translation>inflando en el tiempo</translation>
     </message>
     <message>
+        <source>intake piece {0}</source>
+        <translation>pieza de la boca {0}</translation>
+    </message>
+    <message>
+        <source>it ends too early.</source>
+        <translation>acaba demasiado pronto.</translation>
+    </message>
+    <message>
         <source>it is nested too deeply</source>
         <translation>está anidado con demasiada profundidad</translation>
     </message>
@@ -5057,6 +5441,22 @@
     <message>
         <source>it would grow together with another part</source>
         <translation>se uniría con otra parte</translation>
+    </message>
+    <message>
+        <source>its header cannot be understood.</source>
+        <translation>su cabecera no se entiende.</translation>
+    </message>
+    <message>
+        <source>its header has no end.</source>
+        <translation>su cabecera no tiene fin.</translation>
+    </message>
+    <message>
+        <source>its points have lists.</source>
+        <translation>sus puntos tienen listas.</translation>
+    </message>
+    <message>
+        <source>its points have no x, y and z.</source>
+        <translation>sus puntos no tienen x, y y z.</translation>
     </message>
     <message>
         <source>known of two equal panels alone</source>
@@ -5267,6 +5667,10 @@
         <translation>falta la fuente de la rigidez de la soldadura: escriba de dónde procede, o «assumed».</translation>
     </message>
     <message>
+        <source>there is no model in it</source>
+        <translation>no hay ningún modelo en él</translation>
+    </message>
+    <message>
         <source>there is no such corner</source>
         <translation>no existe tal esquina</translation>
     </message>
@@ -5427,6 +5831,10 @@
         <translation>{0} aún no tiene resultado: recalcúlelo.</translation>
     </message>
     <message>
+        <source>{0} has no shape. Choose a solid or a mesh.</source>
+        <translation>{0} no tiene forma. Elija un sólido o una malla.</translation>
+    </message>
+    <message>
         <source>{0} has no shape: select a sketch, a wire or a face.</source>
         <translation>{0} no tiene forma: seleccione un croquis, un alambre o una cara.</translation>
     </message>
@@ -5443,8 +5851,16 @@
         <translation>{0} tiene varias caras: seleccione las que son paneles.</translation>
     </message>
     <message>
+        <source>{0} has {1} bodies: choose one of them.</source>
+        <translation>{0} tiene {1} cuerpos: elija uno de ellos.</translation>
+    </message>
+    <message>
         <source>{0} has {1} construction lines: leave one of them, which is the axis.</source>
         <translation>{0} tiene {1} líneas de construcción: deje una de ellas, que es el eje.</translation>
+    </message>
+    <message>
+        <source>{0} has {1} pieces now: delete it.</source>
+        <translation>{0} tiene ahora {1} piezas: bórrelo.</translation>
     </message>
     <message>
         <source>{0} hole with a thin line round it was filled, as a pen's: choose Drawn as filled shape to keep it.</source>
@@ -5467,6 +5883,10 @@
         <translation>{0} es un borde de un agujero: elija como abertura uno de un contorno exterior.</translation>
     </message>
     <message>
+        <source>{0} is curved both ways, so that its film folds. Give a number of panels, into which the body is divided.</source>
+        <translation>{0} está curvado en dos sentidos, así que su película se pliega. Indique un número de paneles en que se divida el cuerpo.</translation>
+    </message>
+    <message>
         <source>{0} is damaged or incomplete ({1}). Install the workbench anew.</source>
         <translation>{0} está dañado o incompleto ({1}). Instale de nuevo el banco de trabajo.</translation>
     </message>
@@ -5485,6 +5905,10 @@
     <message>
         <source>{0} is empty: draw half an outline in it, beside the vertical axis.</source>
         <translation>{0} está vacío: dibuje en él medio contorno, junto al eje vertical.</translation>
+    </message>
+    <message>
+        <source>{0} is hollow: choose a solid without a space inside.</source>
+        <translation>{0} es hueco: elija un sólido sin espacio dentro.</translation>
     </message>
     <message>
         <source>{0} is in no seam. Seal it to another edge.</source>
@@ -5509,6 +5933,10 @@
     <message>
         <source>{0} is not a coordinate</source>
         <translation>{0} no es una coordenada</translation>
+    </message>
+    <message>
+        <source>{0} is not closed: film can only be filled where it is. Choose a solid.</source>
+        <translation>{0} no está cerrado: la película solo se puede llenar si lo está. Elija un sólido.</translation>
     </message>
     <message>
         <source>{0} is not flat: a balloon is cut from flat film, so draw it in one plane.</source>
@@ -5743,6 +6171,10 @@
         <translation>{} de {}</translation>
     </message>
     <message>
+        <source>{} panels, {} of seams, {} inside</source>
+        <translation>{} paneles, {} de costuras, {} dentro</translation>
+    </message>
+    <message>
         <source>{} x {}, {} thick, {}</source>
         <translation>{} x {}, {} de grueso, {}</translation>
     </message>
@@ -5869,6 +6301,17 @@
     <message>
         <source>Write the flat pattern of a balloon for a cutter, a plotter, a heat sealer or a printer</source>
         <translation>Escribe el patrón plano de un globo para una cortadora, un trazador, una selladora o una impresora</translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_FromBody</name>
+    <message>
+        <source>Find the panels of a balloon that fills the selected solid or mesh</source>
+        <translation>Buscar los paneles de un globo que llene el sólido o la malla seleccionados</translation>
+    </message>
+    <message>
+        <source>New balloon from body</source>
+        <translation>Nuevo globo desde un cuerpo</translation>
     </message>
 </context>
 <context>

@@ -36,6 +36,10 @@
         <translation>Surface de film à l'intérieur des soudures, tous les panneaux</translation>
     </message>
     <message>
+        <source>Area of the piece of film</source>
+        <translation>Surface de la pièce de film</translation>
+    </message>
+    <message>
         <source>Around the balloon, in degrees Celsius</source>
         <translation>Autour du ballon, en degrés Celsius</translation>
     </message>
@@ -164,6 +168,10 @@
         <translation>Hauteur d'un corps venant d'un fichier ; 0 en découle</translation>
     </message>
     <message>
+        <source>Height of a mesh from a file, along z; 0 follows</source>
+        <translation>Hauteur d'un maillage venant d'un fichier, selon z ; 0 en découle</translation>
+    </message>
+    <message>
         <source>Height of all that is cut</source>
         <translation>Hauteur de tout ce qui est coupé</translation>
     </message>
@@ -264,6 +272,10 @@
         <translation>Largeur intérieure du col, ou alésage de la buse</translation>
     </message>
     <message>
+        <source>Into how many panels the body is divided; 0 takes the faces of a solid, 16 panels of a mesh</source>
+        <translation>En combien de panneaux le corps est divisé ; 0 prend les faces d'un solide, 16 panneaux pour un maillage</translation>
+    </message>
+    <message>
         <source>It carries itself</source>
         <translation>Il se porte lui-même</translation>
     </message>
@@ -282,6 +294,10 @@
     <message>
         <source>Label of what was laid out</source>
         <translation>Repère de ce qui a été disposé</translation>
+    </message>
+    <message>
+        <source>Label that the workbench has given it</source>
+        <translation>Nom que l'atelier lui a donné</translation>
     </message>
     <message>
         <source>Larger dimension before repairs, in mm</source>
@@ -324,8 +340,16 @@
         <translation>Longueur d'une feuille ; 0 est un rouleau</translation>
     </message>
     <message>
+        <source>Length of all seams on the body</source>
+        <translation>Longueur de toutes les coutures sur le corps</translation>
+    </message>
+    <message>
         <source>Length of all welds on it</source>
         <translation>Longueur de toutes les soudures</translation>
+    </message>
+    <message>
+        <source>Length of its welds</source>
+        <translation>Longueur de ses soudures</translation>
     </message>
     <message>
         <source>Length of the natural shape's gores, from its lower to its upper end</source>
@@ -372,8 +396,12 @@
         <translation>Noms des panneaux</translation>
     </message>
     <message>
-        <source>Notches to lay both films on each other by, evenly along the cut</source>
-        <translation>Encoches pour superposer les deux films, réparties le long de la coupe</translation>
+        <source>Names of the panels and other pieces</source>
+        <translation>Noms des panneaux et des autres pièces</translation>
+    </message>
+    <message>
+        <source>Notches to lay both films on each other by, evenly along the cut; of many panels, groups of them on each seam, 0 as many as its length needs</source>
+        <translation>Encoches pour poser les deux films l'un sur l'autre, réparties le long de la coupe ; avec plusieurs panneaux, des groupes d'encoches sur chaque couture, 0 autant que sa longueur en demande</translation>
     </message>
     <message>
         <source>Number of corners of each loop</source>
@@ -394,6 +422,10 @@
     <message>
         <source>Number of holes</source>
         <translation>Nombre de trous</translation>
+    </message>
+    <message>
+        <source>Number of panels</source>
+        <translation>Nombre de panneaux</translation>
     </message>
     <message>
         <source>Number of pieces on what is shown</source>
@@ -436,6 +468,10 @@
         <translation>Une seule face de ce film peut être assemblée ainsi</translation>
     </message>
     <message>
+        <source>Panel of each triangle</source>
+        <translation>Panneau de chaque triangle</translation>
+    </message>
+    <message>
         <source>Panels and seams as JSON, in metres</source>
         <translation>Panneaux et coutures en JSON, en mètres</translation>
     </message>
@@ -468,6 +504,10 @@
         <translation>Endroits du contour qui se déplacent si la soudure se froisse, le pire d'abord</translation>
     </message>
     <message>
+        <source>Points of the body's triangles</source>
+        <translation>Points des triangles du corps</translation>
+    </message>
+    <message>
         <source>Points of the profile: radius, 0, height</source>
         <translation>Points du profil : rayon, 0, hauteur</translation>
     </message>
@@ -494,6 +534,10 @@
     <message>
         <source>Remarks made during the design</source>
         <translation>Remarques faites pendant la conception</translation>
+    </message>
+    <message>
+        <source>Remarks made while the body was read</source>
+        <translation>Remarques faites à la lecture du corps</translation>
     </message>
     <message>
         <source>Remarks made while the outline was found</source>
@@ -524,6 +568,10 @@
         <translation>Résultat montré en couleurs, avec une légende</translation>
     </message>
     <message>
+        <source>STL, OBJ, PLY, 3MF or STEP file of a closed body; a copy travels in the document</source>
+        <translation>Fichier STL, OBJ, PLY, 3MF ou STEP d'un corps fermé ; une copie voyage dans le document</translation>
+    </message>
+    <message>
         <source>SVG, DXF or JSON file of half the outline; a copy travels in the document</source>
         <translation>Fichier SVG, DXF ou JSON d'un demi-contour ; une copie voyage dans le document</translation>
     </message>
@@ -538,6 +586,10 @@
     <message>
         <source>Simulate both panels instead of one and its mirror image</source>
         <translation>Simuler les deux panneaux au lieu d'un seul et de son image miroir</translation>
+    </message>
+    <message>
+        <source>Size of the body along x, y and z</source>
+        <translation>Taille du corps selon x, y et z</translation>
     </message>
     <message>
         <source>Size of the triangles; 0 is automatic</source>
@@ -558,6 +610,14 @@
     <message>
         <source>Smooth stretches as single splines in place of arcs</source>
         <translation>Parties lisses en une seule spline au lieu d'arcs</translation>
+    </message>
+    <message>
+        <source>So far outside of the body, or inside, the film lies at least</source>
+        <translation>Distance minimale du film au corps, à l'extérieur ou à l'intérieur</translation>
+    </message>
+    <message>
+        <source>Solid or mesh that the balloon is to fill, which it follows</source>
+        <translation>Solide ou maillage que le ballon doit remplir, et qu'il suit</translation>
     </message>
     <message>
         <source>Solver that was used</source>
@@ -598,6 +658,10 @@
     <message>
         <source>The pattern that is printed</source>
         <translation>Le patron imprimé</translation>
+    </message>
+    <message>
+        <source>The pattern that it is a piece of</source>
+        <translation>Le patron dont c'est une pièce</translation>
     </message>
     <message>
         <source>The patterns that are laid out</source>
@@ -644,6 +708,14 @@
         <translation>Épaisseur du ballon gonflé</translation>
     </message>
     <message>
+        <source>Three points of each triangle</source>
+        <translation>Trois points de chaque triangle</translation>
+    </message>
+    <message>
+        <source>Two points of each edge at which a panel is cut open</source>
+        <translation>Deux points de chaque bord où un panneau est ouvert par une coupe</translation>
+    </message>
+    <message>
         <source>Up to date, or what is wrong</source>
         <translation>À jour, ou ce qui ne va pas</translation>
     </message>
@@ -674,6 +746,10 @@
     <message>
         <source>Volume of the balloon, from which the pressure follows</source>
         <translation>Volume du ballon, d'où se déduit la pression</translation>
+    </message>
+    <message>
+        <source>Volume of the body</source>
+        <translation>Volume du corps</translation>
     </message>
     <message>
         <source>Volume of the inflated balloon</source>
@@ -720,6 +796,10 @@
         <translation>Ce qu'il porte avec son gaz, en grammes ; sous 0 il descend</translation>
     </message>
     <message>
+        <source>What it is called on the pattern</source>
+        <translation>Comment elle s'appelle sur le patron</translation>
+    </message>
+    <message>
         <source>What it is to be: an outline, a body of gores or a bag</source>
         <translation>Ce que ce doit être : un contour, un corps de fuseaux ou un sac</translation>
     </message>
@@ -734,6 +814,10 @@
     <message>
         <source>What the balloon is made of; Custom lets you give your own values</source>
         <translation>De quoi le ballon est fait ; « Personnalisé » permet vos propres valeurs</translation>
+    </message>
+    <message>
+        <source>What the body was read from</source>
+        <translation>D'où le corps a été lu</translation>
     </message>
     <message>
         <source>What the design of many panels has figures, as JSON</source>
@@ -784,6 +868,10 @@
         <translation>Si un laser peut couper ce film</translation>
     </message>
     <message>
+        <source>Whether the balloon follows the body, encloses or lines it</source>
+        <translation>Si le ballon suit le corps, l'entoure ou le double à l'intérieur</translation>
+    </message>
+    <message>
         <source>Which edges are joined</source>
         <translation>Quels bords sont assemblés</translation>
     </message>
@@ -792,12 +880,24 @@
         <translation>Quel film est disposé : les pièces d'une valve sont sur un film à part</translation>
     </message>
     <message>
+        <source>Which of them each wire belongs to; 0: a copy</source>
+        <translation>À quelle pièce appartient chaque fil ; 0 : une copie</translation>
+    </message>
+    <message>
+        <source>Which piece of the pattern it is, from 1</source>
+        <translation>Quelle pièce du patron c'est, à partir de 1</translation>
+    </message>
+    <message>
         <source>Which shape of the drawing it is; 1 is the largest</source>
         <translation>Quelle forme du dessin c'est ; 1 est la plus grande</translation>
     </message>
     <message>
         <source>Width from which it carries itself; 0 when never</source>
         <translation>Largeur à partir de laquelle il se porte ; 0 : jamais</translation>
+    </message>
+    <message>
+        <source>Width of a mesh from a file, along x; 0 follows from the height, or the file</source>
+        <translation>Largeur d'un maillage venant d'un fichier, selon x ; 0 découle de la hauteur, ou du fichier</translation>
     </message>
     <message>
         <source>Width of a side band between front and back; 0 is two panels</source>
@@ -899,16 +999,16 @@
         <translation>« {0} » n'a pas de profil : donnez un demi-contour du corps en SVG, DXF ou JSON.</translation>
     </message>
     <message>
-        <source>'{0}' has the size of its panels, so the balloon cannot be scaled to fit: leave out --oversize scale.</source>
-        <translation>« {0} » a la taille de ses panneaux, le ballon ne peut donc pas être réduit : retirez --oversize scale.</translation>
-    </message>
-    <message>
         <source>'{0}' has the size of its panels: leave out the width and the height.</source>
         <translation>« {0} » a la taille de ses panneaux : retirez la largeur et la hauteur.</translation>
     </message>
     <message>
         <source>'{0}' has {1} x {2} pixels, more than {3} million. Make it smaller; 2000 pixels across are plenty.</source>
         <translation>« {0} » a {1} x {2} pixels, plus de {3} millions. Réduisez-la ; 2000 pixels de large suffisent largement.</translation>
+    </message>
+    <message>
+        <source>'{0}' is a body: leave out what you give of gores or of a side band.</source>
+        <translation>« {0} » est un corps : retirez ce qui concerne les fuseaux ou une bande latérale.</translation>
     </message>
     <message>
         <source>'{0}' is a pipe or a device: save what comes from it, and name that file.</source>
@@ -947,8 +1047,16 @@
         <translation>« {0} » dépasse {1} Mo. Simplifiez le dessin.</translation>
     </message>
     <message>
+        <source>'{0}' is larger than {1} MB. Simplify the mesh.</source>
+        <translation>« {0} » dépasse {1} Mo. Simplifiez le maillage.</translation>
+    </message>
+    <message>
         <source>'{0}' is neither SVG, DXF nor JSON. Save the drawing as one of these.</source>
         <translation>« {0} » n'est ni SVG, ni DXF, ni JSON. Enregistrez le dessin dans un de ces formats.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no closed body: leave out --panels, or give an STL, OBJ, PLY or 3MF.</source>
+        <translation>« {0} » n'est pas un corps fermé : retirez --panels, ou donnez un STL, OBJ, PLY ou 3MF.</translation>
     </message>
     <message>
         <source>'{0}' is no size: write 500mm for a width, 500mmx700mm for width and height.</source>
@@ -1007,6 +1115,10 @@
         <translation>On peut disposer de 1 à {0} pièces, pas {1}.</translation>
     </message>
     <message>
+        <source>95 % below {} ({})</source>
+        <translation>95 % sous {} ({})</translation>
+    </message>
+    <message>
         <source>A balloon has no "{0}": it has {1}.</source>
         <translation>Un ballon n'a pas de « {0} » : il a {1}.</translation>
     </message>
@@ -1029,6 +1141,10 @@
     <message>
         <source>A body of gores has no side band: leave out what you give of the one or of the other.</source>
         <translation>Un corps de fuseaux n'a pas de bande latérale : retirez ce qui concerne l'un ou l'autre.</translation>
+    </message>
+    <message>
+        <source>A closed body; a copy of it travels in the document</source>
+        <translation>Un corps fermé ; une copie voyage dans le document</translation>
     </message>
     <message>
         <source>A corner relief of {0} would cut into the weld: choose a smaller radius or a wider allowance.</source>
@@ -1203,6 +1319,10 @@
         <translation>Tous les panneaux sont une fois sur la feuille : aucun n'est dessiné une seconde fois en miroir.</translation>
     </message>
     <message>
+        <source>All points of the mesh are in one place. Save the body as a mesh of triangles.</source>
+        <translation>Tous les points du maillage sont au même endroit. Enregistrez le corps en maillage de triangles.</translation>
+    </message>
+    <message>
         <source>Allowance</source>
         <translation>Marge</translation>
     </message>
@@ -1347,6 +1467,14 @@
         <translation>Bleu 0, vert {}, rouge {}</translation>
     </message>
     <message>
+        <source>Bodies</source>
+        <translation>Corps</translation>
+    </message>
+    <message>
+        <source>Body</source>
+        <translation>Corps</translation>
+    </message>
+    <message>
         <source>Both panels</source>
         <translation>Les deux panneaux</translation>
     </message>
@@ -1361,6 +1489,10 @@
     <message>
         <source>Brush</source>
         <translation>Pinceau</translation>
+    </message>
+    <message>
+        <source>By at least</source>
+        <translation>D'au moins</translation>
     </message>
     <message>
         <source>Cannot write to {0}: {1}. Choose another folder, or make room there.</source>
@@ -1385,6 +1517,10 @@
     <message>
         <source>Checking the pattern</source>
         <translation>Vérification du patron</translation>
+    </message>
+    <message>
+        <source>Choose a body</source>
+        <translation>Choisir un corps</translation>
     </message>
     <message>
         <source>Choose a drawing</source>
@@ -1413,6 +1549,10 @@
     <message>
         <source>Choose a sketch or a file with half the outline.</source>
         <translation>Choisissez une esquisse ou un fichier avec un demi-contour.</translation>
+    </message>
+    <message>
+        <source>Choose a solid, a mesh or a file with one.</source>
+        <translation>Choisissez un solide, un maillage ou un fichier qui en contient un.</translation>
     </message>
     <message>
         <source>Choose sketches, a file or a ready body.</source>
@@ -1527,6 +1667,14 @@
         <translation>Distance</translation>
     </message>
     <message>
+        <source>Distance from profile or drawing</source>
+        <translation>Écart au profil ou au dessin</translation>
+    </message>
+    <message>
+        <source>Dividing a body needs scipy: install it with pip install scipy.</source>
+        <translation>Diviser un corps demande scipy : installez-le par pip install scipy.</translation>
+    </message>
+    <message>
         <source>Dots per inch</source>
         <translation>Points par pouce</translation>
     </message>
@@ -1575,6 +1723,10 @@
         <translation>Chaque couleur de trait devient une opération : coupez le rouge, le bleu et l'orange, faites ignorer toutes les autres. Le DXF n'est pas lu.</translation>
     </message>
     <message>
+        <source>Edges of the mesh at which more than two triangles meet: {0}. Repair it in the program that it comes from, so that it is the surface of a solid.</source>
+        <translation>Arêtes du maillage où se rejoignent plus de deux triangles : {0}. Réparez-le dans le programme d'où il vient, pour qu'il soit la surface d'un solide.</translation>
+    </message>
+    <message>
         <source>Edit artwork</source>
         <translation>Modifier l'illustration</translation>
     </message>
@@ -1593,6 +1745,10 @@
     <message>
         <source>Elastic materials</source>
         <translation>Matériaux élastiques</translation>
+    </message>
+    <message>
+        <source>Encloses it</source>
+        <translation>L'entoure</translation>
     </message>
     <message>
         <source>Eraser</source>
@@ -1735,6 +1891,10 @@
         <translation>Ajustement du patron</translation>
     </message>
     <message>
+        <source>Flattening needs scipy: install it with pip install scipy.</source>
+        <translation>La mise à plat demande scipy : installez-le par pip install scipy.</translation>
+    </message>
+    <message>
         <source>Folder</source>
         <translation>Dossier</translation>
     </message>
@@ -1745,6 +1905,10 @@
     <message>
         <source>Follow every change at once</source>
         <translation>Suivre aussitôt chaque changement</translation>
+    </message>
+    <message>
+        <source>Follows the body</source>
+        <translation>Suit le corps</translation>
     </message>
     <message>
         <source>For {0} the drawing would be {1} large: choose a volume that makes it {2} to {3}.</source>
@@ -1911,6 +2075,10 @@
         <translation>Le trou {0} du panneau « {1} » tourne dans le sens inverse des aiguilles. Inversez l'ordre de ses points.</translation>
     </message>
     <message>
+        <source>Holes of the mesh that were closed: {0}.</source>
+        <translation>Trous du maillage qui ont été fermés : {0}.</translation>
+    </message>
+    <message>
         <source>How a balloon follows its pattern can be worked out for an elastic weld alone: choose that one.</source>
         <translation>La façon dont un ballon suit son patron ne se calcule que pour une soudure élastique : choisissez celle-ci.</translation>
     </message>
@@ -2013,6 +2181,10 @@
     <message>
         <source>It is wider now. Ctrl+Z takes that back.</source>
         <translation>Il est plus large maintenant. Ctrl+Z annule.</translation>
+    </message>
+    <message>
+        <source>Its pattern is gone: delete it.</source>
+        <translation>Le patron de cette pièce n'existe plus : effacez-la.</translation>
     </message>
     <message>
         <source>JSON</source>
@@ -2159,6 +2331,10 @@
         <translation>Ligne</translation>
     </message>
     <message>
+        <source>Lines it inside</source>
+        <translation>Le double à l'intérieur</translation>
+    </message>
+    <message>
         <source>Lines that close around nothing beside the shapes were left out.</source>
         <translation>Les lignes à côté des formes qui n'entourent rien ont été omises.</translation>
     </message>
@@ -2251,6 +2427,10 @@
         <translation>Attention</translation>
     </message>
     <message>
+        <source>Mirror</source>
+        <translation>Miroir</translation>
+    </message>
+    <message>
         <source>Mode</source>
         <translation>Mode</translation>
     </message>
@@ -2277,6 +2457,10 @@
     <message>
         <source>Natural shape</source>
         <translation>Forme naturelle</translation>
+    </message>
+    <message>
+        <source>Near {0} the film stays {1} from the body, which is too thin or too sharp there for panels. Cut such a part off, or divide the body along it.</source>
+        <translation>Près de {0}, le film reste à {1} du corps, qui y est trop mince ou trop pointu pour des panneaux. Coupez une telle partie, ou divisez le corps le long d'elle.</translation>
     </message>
     <message>
         <source>Near {0} the inflated outline stays up to {1} from the drawing, over a length of {2}: film cannot follow it there. Round it off or widen it.</source>
@@ -2309,6 +2493,10 @@
     <message>
         <source>New bag of panels</source>
         <translation>Nouveau sac de panneaux</translation>
+    </message>
+    <message>
+        <source>New balloon from body</source>
+        <translation>Nouveau ballon depuis un corps</translation>
     </message>
     <message>
         <source>New balloon from picture</source>
@@ -2383,6 +2571,10 @@
         <translation>Aucun solveur ne marche ici : {0} Compilez-le ou installez le paquet scipy.</translation>
     </message>
     <message>
+        <source>No triangle of the mesh has an area. Save the body as a mesh of triangles.</source>
+        <translation>Aucun triangle du maillage n'a de surface. Enregistrez le corps en maillage de triangles.</translation>
+    </message>
+    <message>
         <source>No, use NumPy</source>
         <translation>Non, prendre NumPy</translation>
     </message>
@@ -2447,8 +2639,16 @@
         <translation>OK, puis {}</translation>
     </message>
     <message>
+        <source>Of the bodies of the mesh only the largest is made; all in all there are: {0}.</source>
+        <translation>Des corps du maillage, seul le plus grand est fait ; en tout il y en a : {0}.</translation>
+    </message>
+    <message>
         <source>Off</source>
         <translation>Désactivée</translation>
+    </message>
+    <message>
+        <source>Off the body</source>
+        <translation>Écart au corps</translation>
     </message>
     <message>
         <source>Off the drawing</source>
@@ -2463,8 +2663,8 @@
         <translation>Écart au profil</translation>
     </message>
     <message>
-        <source>Off the {0}: {1} on average, at most {2}</source>
-        <translation>Écart au {0} : {1} en moyenne, {2} au plus</translation>
+        <source>Off the {0}: {1} on average, 95 % below {2}, at most {3}</source>
+        <translation>Écart ({0}) : {1} en moyenne, 95 % sous {2}, {3} au plus</translation>
     </message>
     <message>
         <source>Offer the native solver where it is missing</source>
@@ -2579,6 +2779,10 @@
         <translation>Panneau</translation>
     </message>
     <message>
+        <source>Panel '{0}' crosses itself: divide the body otherwise there.</source>
+        <translation>Le panneau « {0} » se croise : divisez-y le corps autrement.</translation>
+    </message>
+    <message>
         <source>Panel '{0}' crosses or nearly touches itself: separate the parts that meet there.</source>
         <translation>Le panneau « {0} » se croise ou se touche presque : séparez les parties qui s'y rejoignent.</translation>
     </message>
@@ -2595,6 +2799,10 @@
         <translation>Le panneau « {0} » est vu de l'intérieur : ses points tournent dans le sens des aiguilles. Mettez-le en miroir, ou inversez leur ordre.</translation>
     </message>
     <message>
+        <source>Panel '{0}' is the whole surface and has no edge: divide the body into more panels.</source>
+        <translation>Le panneau « {0} » est toute la surface et n'a pas de bord : divisez le corps en plus de panneaux.</translation>
+    </message>
+    <message>
         <source>Panel {0} has a triangle with a vertex that is not there. Mesh it anew.</source>
         <translation>Le panneau {0} a un triangle avec un sommet qui n'existe pas. Maillez-le de nouveau.</translation>
     </message>
@@ -2609,6 +2817,14 @@
     <message>
         <source>Panel {0} has no edge {1} for the opening: say another one of its outer loop.</source>
         <translation>Le panneau {0} n'a pas de bord {1} pour l'ouverture : indiquez-en un autre de sa boucle extérieure.</translation>
+    </message>
+    <message>
+        <source>Panel {0} has no room for its name: write it beside the cut when you lay it out.</source>
+        <translation>Le panneau {0} n'a pas la place de son nom : écrivez-le à côté de la coupe quand vous le disposez.</translation>
+    </message>
+    <message>
+        <source>Panel {0} has no room for numbers and arrows of seams: {1}. Its notches tell them apart.</source>
+        <translation>Le panneau {0} n'a pas la place des numéros et des flèches des coutures : {1}. Ses encoches les distinguent.</translation>
     </message>
     <message>
         <source>Panel {0} is not cut: say another one for the opening.</source>
@@ -2891,6 +3107,10 @@
         <translation>RDWorks (laser Ruida)</translation>
     </message>
     <message>
+        <source>Reading a mesh needs scipy: install it with pip install scipy.</source>
+        <translation>Lire un maillage demande scipy : l’installer avec pip install scipy.</translation>
+    </message>
+    <message>
         <source>Ready body</source>
         <translation>Corps prêt</translation>
     </message>
@@ -2967,6 +3187,10 @@
         <translation>Arrondir au rayon de</translation>
     </message>
     <message>
+        <source>STL, OBJ, PLY, 3MF or STEP</source>
+        <translation>STL, OBJ, PLY, 3MF ou STEP</translation>
+    </message>
+    <message>
         <source>SVG files can be written but not read without it; pictures, DXF and JSON can be read.</source>
         <translation>Sans lui, les fichiers SVG peuvent être écrits mais non lus ; images, DXF et JSON peuvent l'être.</translation>
     </message>
@@ -3005,6 +3229,10 @@
     <message>
         <source>Scale to fit</source>
         <translation>Réduire au plateau</translation>
+    </message>
+    <message>
+        <source>Scaled to fit: the balloon is {0} wide instead of {1}.</source>
+        <translation>Réduit au plateau : le ballon a {0} de large au lieu de {1}.</translation>
     </message>
     <message>
         <source>Scaled to fit: the drawing is {0} wide instead of {1}.</source>
@@ -3165,6 +3393,10 @@
     <message>
         <source>Select a sketch, a wire or a face in the tree or the 3D view.</source>
         <translation>Sélectionnez une esquisse, un fil ou une face dans l'arborescence ou la vue 3D.</translation>
+    </message>
+    <message>
+        <source>Select a solid or a mesh, or choose a file.</source>
+        <translation>Sélectionnez un solide ou un maillage, ou choisissez un fichier.</translation>
     </message>
     <message>
         <source>Select another</source>
@@ -3383,6 +3615,10 @@
         <translation>Couture au ruban adhésif</translation>
     </message>
     <message>
+        <source>Target</source>
+        <translation>Corps visé</translation>
+    </message>
+    <message>
         <source>Tension field</source>
         <translation>Champ de tension</translation>
     </message>
@@ -3439,6 +3675,22 @@
         <translation>Le '{0}' du corps « {1} » est hors limites. Choisissez {2}.</translation>
     </message>
     <message>
+        <source>The 3MF file has more than {0} bodies. Leave one of them in it.</source>
+        <translation>Le fichier 3MF a plus de {0} corps. N'y laissez que l'un d'eux.</translation>
+    </message>
+    <message>
+        <source>The 3MF file has no bodies. Save the body as a mesh of triangles.</source>
+        <translation>Le fichier 3MF n'a pas de corps. Enregistrez le corps en maillage de triangles.</translation>
+    </message>
+    <message>
+        <source>The 3MF file is damaged ({}). Save it once more.</source>
+        <translation>Le fichier 3MF est abîmé ({}). Enregistrez-le à nouveau.</translation>
+    </message>
+    <message>
+        <source>The 3MF file is too large. Simplify the mesh in the program it comes from.</source>
+        <translation>Le fichier 3MF est trop grand. Simplifiez le maillage dans le programme d'où il vient.</translation>
+    </message>
+    <message>
         <source>The DXF file has errors; what could be read was taken from it.</source>
         <translation>Le fichier DXF a des erreurs ; ce qui était lisible en a été pris.</translation>
     </message>
@@ -3475,12 +3727,36 @@
         <translation>{0} du fichier JSON demande au moins {1}. {2}</translation>
     </message>
     <message>
+        <source>The OBJ file has a face that is no list of points. Save it once more.</source>
+        <translation>Le fichier OBJ a une face qui n'est pas une liste de points. Enregistrez-le à nouveau.</translation>
+    </message>
+    <message>
+        <source>The OBJ file has no faces. Save the body as a mesh of triangles.</source>
+        <translation>Le fichier OBJ n'a pas de faces. Enregistrez le corps en maillage de triangles.</translation>
+    </message>
+    <message>
+        <source>The PLY file has no faces. Save the body as a mesh of triangles.</source>
+        <translation>Le fichier PLY n'a pas de faces. Enregistrez le corps en maillage de triangles.</translation>
+    </message>
+    <message>
+        <source>The PLY file is damaged: {} Save it once more.</source>
+        <translation>Le fichier PLY est abîmé : {} Enregistrez-le à nouveau.</translation>
+    </message>
+    <message>
         <source>The Poisson's ratio {0} is not between 0 and 0.5: give one such as 0.38.</source>
         <translation>Le coefficient de Poisson {0} n'est pas entre 0 et 0,5 : donnez par exemple 0.38.</translation>
     </message>
     <message>
         <source>The Python package {0} is missing. {1} To get it: pip install {2}</source>
         <translation>Le paquet Python {0} manque. {1} Pour l'obtenir : pip install {2}</translation>
+    </message>
+    <message>
+        <source>The STL file is damaged: it ends too early. Save it once more.</source>
+        <translation>Le fichier STL est abîmé : il finit trop tôt. Enregistrez-le à nouveau.</translation>
+    </message>
+    <message>
+        <source>The STL file is damaged: it has no triangles, or half of one. Save it once more.</source>
+        <translation>Le fichier STL est abîmé : il n'a pas de triangles, ou une moitié d'un seul. Enregistrez-le à nouveau.</translation>
     </message>
     <message>
         <source>The SVG file cannot be read ({0}). Save it as plain SVG once more.</source>
@@ -3527,6 +3803,10 @@
         <translation>Le sac a {0} panneaux, plus que {1}. Faites-le de panneaux moins nombreux et plus grands.</translation>
     </message>
     <message>
+        <source>The balloon</source>
+        <translation>Le ballon</translation>
+    </message>
+    <message>
         <source>The balloon has no opening: say at which edge it is filled, or choose no intake.</source>
         <translation>Le ballon n'a pas d'ouverture : dites par quel bord il est rempli, ou ne choisissez pas d'embout.</translation>
     </message>
@@ -3547,6 +3827,10 @@
         <translation>Le ballon de {0} fuseaux est en moyenne à {1} de sa diagonale du profil, et {2} était demandé : ses coutures dépassent le milieu des fuseaux jusqu'à {3}. {4}</translation>
     </message>
     <message>
+        <source>The balloon stays {0} from the body on average, {1} of its diagonal: flat panels bulge between their seams. Take more than {2} panels.</source>
+        <translation>Le ballon reste en moyenne à {0} du corps, {1} de sa diagonale : des panneaux plats se bombent entre leurs coutures. Prenez plus de {2} panneaux.</translation>
+    </message>
+    <message>
         <source>The balloon whose weld creases did not come to rest; what is told of it is its last good state.</source>
         <translation>Le ballon dont la soudure se froisse n'est pas arrivé au repos ; ce qui en est dit vaut pour son dernier bon état.</translation>
     </message>
@@ -3561,6 +3845,22 @@
     <message>
         <source>The body '{0}' has no '{1}'. It has {2}.</source>
         <translation>Le corps « {0} » n'a pas de '{1}'. Il a {2}.</translation>
+    </message>
+    <message>
+        <source>The body is thinner than {0} over {1} of its surface: film bulges there. Make such parts of two panels of their own, or thicker.</source>
+        <translation>Le corps est plus mince que {0} sur {1} de sa surface : le film s’y bombe. Faire de telles parties en deux panneaux à part, ou plus épaisses.</translation>
+    </message>
+    <message>
+        <source>The body is {0} long. Give a width or a height, so that it is between {1} and {2}.</source>
+        <translation>Le corps a {0} de long. Donnez une largeur ou une hauteur, pour qu'il soit entre {1} et {2}.</translation>
+    </message>
+    <message>
+        <source>The body of the mesh is flat: it encloses {0} % of its size. Give a closed body, or a drawing for two equal panels.</source>
+        <translation>Le corps du maillage est plat : il enferme {0} % de sa taille. Donnez un corps fermé, ou un dessin pour deux panneaux égaux.</translation>
+    </message>
+    <message>
+        <source>The body of the profile is {0} high and {1} wide: no balloon is so flat. Draw its profile higher, or make it of two panels.</source>
+        <translation>Le corps du profil a {0} de haut et {1} de large : aucun ballon n'est si plat. Dessinez son profil plus haut, ou faites-le de deux panneaux.</translation>
     </message>
     <message>
         <source>The caps are too large for the ball. Choose a smaller diameter for them.</source>
@@ -3649,6 +3949,18 @@
     <message>
         <source>The edges of the chosen seam are free again</source>
         <translation>Les bords de la couture choisie sont de nouveau libres</translation>
+    </message>
+    <message>
+        <source>The faces of {0} cannot be told from each other in a mesh. Repair the solid, or give a mesh of it.</source>
+        <translation>Les faces de {0} ne peuvent pas être distinguées dans un maillage. Réparez le solide, ou donnez-en un maillage.</translation>
+    </message>
+    <message>
+        <source>The file does not name its unit: the largest size in it, {0}, is taken as metres. Give a width to have another one.</source>
+        <translation>Le fichier ne nomme pas son unité : sa plus grande dimension, {0}, est prise en mètres. Donnez une largeur pour en avoir une autre.</translation>
+    </message>
+    <message>
+        <source>The file has no solid that can be read. Save it once more as STEP.</source>
+        <translation>Le fichier n'a pas de solide lisible. Enregistrez-le à nouveau en STEP.</translation>
     </message>
     <message>
         <source>The file is XML but no SVG drawing. Choose a drawing.</source>
@@ -3855,12 +4167,36 @@
         <translation>Il manque {1} au fichier de machine {0} : ajoutez-le.</translation>
     </message>
     <message>
+        <source>The mesh has a triangle with a point that is not there. Save it once more.</source>
+        <translation>Le maillage a un triangle avec un point qui n'existe pas. Enregistrez-le à nouveau.</translation>
+    </message>
+    <message>
         <source>The mesh has a vertex without triangles. Mesh the outline anew.</source>
         <translation>Le maillage a un nœud sans triangle. Remaillez le contour.</translation>
     </message>
     <message>
+        <source>The mesh has no triangle. Save the body as a mesh of triangles.</source>
+        <translation>Le maillage n'a pas de triangle. Enregistrez le corps en maillage de triangles.</translation>
+    </message>
+    <message>
+        <source>The mesh has too many triangles, more than {0}. Simplify it in the program that it comes from.</source>
+        <translation>Le maillage a trop de triangles, plus de {0}. Simplifiez-le dans le programme d'où il vient.</translation>
+    </message>
+    <message>
+        <source>The mesh is flat. Give a closed body, or a drawing for two equal panels.</source>
+        <translation>Le maillage est plat. Donnez un corps fermé, ou un dessin pour deux panneaux égaux.</translation>
+    </message>
+    <message>
+        <source>The mesh is not closed: a hole is {0} % of its size long round. Close it in the program that the mesh comes from.</source>
+        <translation>Le maillage n'est pas fermé : le tour d'un trou fait {0} % de sa taille. Fermez-le dans le programme d'où vient le maillage.</translation>
+    </message>
+    <message>
         <source>The mesh size is {0}: give one above 0.</source>
         <translation>La taille de maille est {0} : donnez-en une au-dessus de 0.</translation>
+    </message>
+    <message>
+        <source>The mesh was made simpler. Its triangles were: {0}.</source>
+        <translation>Le maillage a été simplifié. Nombre de triangles qu’il avait : {0}.</translation>
     </message>
     <message>
         <source>The native solver cannot be saved. {0}</source>
@@ -4207,6 +4543,10 @@
         <translation>Le résumé ne peut pas être affiché ({0}) ; {1}.</translation>
     </message>
     <message>
+        <source>The surface of the mesh has no outside, as a Moebius strip. Give the mesh of a solid.</source>
+        <translation>La surface du maillage n'a pas d'extérieur, comme un ruban de Möbius. Donnez le maillage d'un solide.</translation>
+    </message>
+    <message>
         <source>The temperature of the {0}, {1} degrees Celsius, is out of range: give one such as 20C.</source>
         <translation>La température ({0}) de {1} degrés Celsius est hors limites : donnez par exemple 20C.</translation>
     </message>
@@ -4265,6 +4605,10 @@
     <message>
         <source>The {0} end of the profile is {1} away from the axis, so no gores can meet there in a point. Close it with a disc, or leave it open.</source>
         <translation>L'extrémité ({0}) du profil est à {1} de l'axe, aucun fuseau ne peut donc s'y rejoindre en pointe. Fermez-la par un disque, ou laissez-la ouverte.</translation>
+    </message>
+    <message>
+        <source>The {0} file has a point that is no three numbers. Save it once more.</source>
+        <translation>Le fichier {0} a un point qui n'est pas fait de trois nombres. Enregistrez-le à nouveau.</translation>
     </message>
     <message>
         <source>The {0} is {1} mm: give one above 0, for example 300 mm.</source>
@@ -4533,6 +4877,18 @@
     <message>
         <source>Triangle {0} of panel {1} runs clockwise. Mesh the panel anew.</source>
         <translation>Le triangle {0} du panneau {1} tourne dans le sens horaire. Maillez le panneau de nouveau.</translation>
+    </message>
+    <message>
+        <source>Triangles of the mesh that lay on others were left out: {0}.</source>
+        <translation>Triangles du maillage posés sur d'autres, laissés de côté : {0}.</translation>
+    </message>
+    <message>
+        <source>Triangles of the mesh that were the wrong way round were turned: {0}.</source>
+        <translation>Triangles du maillage qui étaient à l'envers, retournés : {0}.</translation>
+    </message>
+    <message>
+        <source>Triangles of the mesh whose points are no numbers were left out: {0}.</source>
+        <translation>Triangles du maillage dont les points ne sont pas des nombres, laissés de côté : {0}.</translation>
     </message>
     <message>
         <source>Try temperature and time on two scraps: the weld must stretch or tear before it opens.</source>
@@ -4831,8 +5187,20 @@
         <translation>un projet LightBurn a des calques jusqu'à {0} : changez la plume.</translation>
     </message>
     <message>
+        <source>a body consists of itself, or of one that is not there</source>
+        <translation>un corps est fait de lui-même, ou d'un corps qui n'existe pas</translation>
+    </message>
+    <message>
         <source>a coordinate is not a number</source>
         <translation>une coordonnée n'est pas un nombre</translation>
+    </message>
+    <message>
+        <source>a face is no list of points.</source>
+        <translation>une face n'est pas une liste de points.</translation>
+    </message>
+    <message>
+        <source>a point is no three numbers.</source>
+        <translation>un point n'est pas fait de trois nombres.</translation>
     </message>
     <message>
         <source>a transform is not a number</source>
@@ -4873,6 +5241,10 @@
     <message>
         <source>artwork.pdf was left out. {0}</source>
         <translation>artwork.pdf a été omis. {0}</translation>
+    </message>
+    <message>
+        <source>at most {} ({})</source>
+        <translation>au plus {} ({})</translation>
     </message>
     <message>
         <source>at most {} {}</source>
@@ -5019,6 +5391,10 @@
         <translation>en moyenne {}</translation>
     </message>
     <message>
+        <source>in the mean {} ({})</source>
+        <translation>en moyenne {} ({})</translation>
+    </message>
+    <message>
         <source>in {}</source>
         <translation>dans {}</translation>
     </message>
@@ -5039,6 +5415,14 @@
         <translation>gonflage dans le temps</translation>
     </message>
     <message>
+        <source>intake piece {0}</source>
+        <translation>pièce d'embout {0}</translation>
+    </message>
+    <message>
+        <source>it ends too early.</source>
+        <translation>il finit trop tôt.</translation>
+    </message>
+    <message>
         <source>it is nested too deeply</source>
         <translation>il est imbriqué trop profondément</translation>
     </message>
@@ -5057,6 +5441,22 @@
     <message>
         <source>it would grow together with another part</source>
         <translation>elle se joindrait à une autre partie</translation>
+    </message>
+    <message>
+        <source>its header cannot be understood.</source>
+        <translation>son en-tête ne peut pas être compris.</translation>
+    </message>
+    <message>
+        <source>its header has no end.</source>
+        <translation>son en-tête n'a pas de fin.</translation>
+    </message>
+    <message>
+        <source>its points have lists.</source>
+        <translation>ses points ont des listes.</translation>
+    </message>
+    <message>
+        <source>its points have no x, y and z.</source>
+        <translation>ses points n'ont pas de x, y et z.</translation>
     </message>
     <message>
         <source>known of two equal panels alone</source>
@@ -5267,6 +5667,10 @@
         <translation>la rigidité de la soudure n'a pas de source : écrivez d'où elle vient, ou « assumed ».</translation>
     </message>
     <message>
+        <source>there is no model in it</source>
+        <translation>il ne contient pas de modèle</translation>
+    </message>
+    <message>
         <source>there is no such corner</source>
         <translation>il n'y a pas de tel angle</translation>
     </message>
@@ -5427,6 +5831,10 @@
         <translation>{0} n'a pas encore de résultat : recalculez-le.</translation>
     </message>
     <message>
+        <source>{0} has no shape. Choose a solid or a mesh.</source>
+        <translation>{0} n'a pas de forme. Choisissez un solide ou un maillage.</translation>
+    </message>
+    <message>
         <source>{0} has no shape: select a sketch, a wire or a face.</source>
         <translation>{0} n'a pas de forme : sélectionnez une esquisse, un fil ou une face.</translation>
     </message>
@@ -5443,8 +5851,16 @@
         <translation>{0} a plusieurs faces : sélectionnez celles qui sont des panneaux.</translation>
     </message>
     <message>
+        <source>{0} has {1} bodies: choose one of them.</source>
+        <translation>{0} a {1} corps : choisissez l'un d'eux.</translation>
+    </message>
+    <message>
         <source>{0} has {1} construction lines: leave one of them, which is the axis.</source>
         <translation>{0} a {1} lignes de construction : n'en laissez qu'une, qui est l'axe.</translation>
+    </message>
+    <message>
+        <source>{0} has {1} pieces now: delete it.</source>
+        <translation>{0} a maintenant {1} pièces : effacez celle-ci.</translation>
     </message>
     <message>
         <source>{0} hole with a thin line round it was filled, as a pen's: choose Drawn as filled shape to keep it.</source>
@@ -5467,6 +5883,10 @@
         <translation>{0} est un bord d'un trou : choisissez comme ouverture un bord d'une boucle extérieure.</translation>
     </message>
     <message>
+        <source>{0} is curved both ways, so that its film folds. Give a number of panels, into which the body is divided.</source>
+        <translation>{0} est courbé dans les deux sens, son film fait donc des plis. Donnez un nombre de panneaux, en lesquels le corps est divisé.</translation>
+    </message>
+    <message>
         <source>{0} is damaged or incomplete ({1}). Install the workbench anew.</source>
         <translation>{0} est abîmé ou incomplet ({1}). Réinstallez l'atelier.</translation>
     </message>
@@ -5485,6 +5905,10 @@
     <message>
         <source>{0} is empty: draw half an outline in it, beside the vertical axis.</source>
         <translation>{0} est vide : dessinez-y un demi-contour, à côté de l'axe vertical.</translation>
+    </message>
+    <message>
+        <source>{0} is hollow: choose a solid without a space inside.</source>
+        <translation>{0} est creux : choisissez un solide sans vide à l'intérieur.</translation>
     </message>
     <message>
         <source>{0} is in no seam. Seal it to another edge.</source>
@@ -5509,6 +5933,10 @@
     <message>
         <source>{0} is not a coordinate</source>
         <translation>{0} n'est pas une coordonnée</translation>
+    </message>
+    <message>
+        <source>{0} is not closed: film can only be filled where it is. Choose a solid.</source>
+        <translation>{0} n'est pas fermé : un film ne peut se remplir que s'il est fermé. Choisissez un solide.</translation>
     </message>
     <message>
         <source>{0} is not flat: a balloon is cut from flat film, so draw it in one plane.</source>
@@ -5743,6 +6171,10 @@
         <translation>{} de {}</translation>
     </message>
     <message>
+        <source>{} panels, {} of seams, {} inside</source>
+        <translation>{} panneaux, {} de coutures, {} à l'intérieur</translation>
+    </message>
+    <message>
         <source>{} x {}, {} thick, {}</source>
         <translation>{} x {}, épais de {}, {}</translation>
     </message>
@@ -5869,6 +6301,17 @@
     <message>
         <source>Write the flat pattern of a balloon for a cutter, a plotter, a heat sealer or a printer</source>
         <translation>Écrit le patron à plat d'un ballon pour une découpeuse, un traceur, une soudeuse ou une imprimante</translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_FromBody</name>
+    <message>
+        <source>Find the panels of a balloon that fills the selected solid or mesh</source>
+        <translation>Trouver les panneaux d'un ballon qui remplit le solide ou le maillage sélectionné</translation>
+    </message>
+    <message>
+        <source>New balloon from body</source>
+        <translation>Nouveau ballon depuis un corps</translation>
     </message>
 </context>
 <context>

@@ -36,6 +36,10 @@
         <translation>溶着線の内側のフィルム面積（全パネル）</translation>
     </message>
     <message>
+        <source>Area of the piece of film</source>
+        <translation>フィルムの部品の面積</translation>
+    </message>
+    <message>
         <source>Around the balloon, in degrees Celsius</source>
         <translation>風船の周囲の温度（摂氏）</translation>
     </message>
@@ -164,6 +168,10 @@
         <translation>ファイルから読んだ立体の高さ。0 なら自動</translation>
     </message>
     <message>
+        <source>Height of a mesh from a file, along z; 0 follows</source>
+        <translation>ファイルから読んだメッシュの高さ（z 方向）。0 なら自動</translation>
+    </message>
+    <message>
         <source>Height of all that is cut</source>
         <translation>切る物全体の高さ</translation>
     </message>
@@ -264,6 +272,10 @@
         <translation>首の内幅、またはノズルの内径</translation>
     </message>
     <message>
+        <source>Into how many panels the body is divided; 0 takes the faces of a solid, 16 panels of a mesh</source>
+        <translation>立体を分けるパネルの数。0 ならソリッドは面ごと、メッシュは 16 枚</translation>
+    </message>
+    <message>
         <source>It carries itself</source>
         <translation>自分の重さを支えて浮く</translation>
     </message>
@@ -282,6 +294,10 @@
     <message>
         <source>Label of what was laid out</source>
         <translation>並べたものの識別子</translation>
+    </message>
+    <message>
+        <source>Label that the workbench has given it</source>
+        <translation>ワークベンチが付けた表示名</translation>
     </message>
     <message>
         <source>Larger dimension before repairs, in mm</source>
@@ -324,8 +340,16 @@
         <translation>シートの長さ（0 はロール）</translation>
     </message>
     <message>
+        <source>Length of all seams on the body</source>
+        <translation>立体の上のすべての継ぎ目の長さ</translation>
+    </message>
+    <message>
         <source>Length of all welds on it</source>
         <translation>含まれる溶着線の全長</translation>
+    </message>
+    <message>
+        <source>Length of its welds</source>
+        <translation>この部品の溶着線の長さ</translation>
     </message>
     <message>
         <source>Length of the natural shape's gores, from its lower to its upper end</source>
@@ -372,8 +396,12 @@
         <translation>パネルの名前</translation>
     </message>
     <message>
-        <source>Notches to lay both films on each other by, evenly along the cut</source>
-        <translation>2 枚のフィルムを重ね合わせるための合印（切り線に沿って等間隔）</translation>
+        <source>Names of the panels and other pieces</source>
+        <translation>パネルとほかの部品の名前</translation>
+    </message>
+    <message>
+        <source>Notches to lay both films on each other by, evenly along the cut; of many panels, groups of them on each seam, 0 as many as its length needs</source>
+        <translation>2 枚のフィルムを重ねるための合印。切り線に沿って等間隔に付きます。複数パネルでは継ぎ目ごとの合印の組で、0 なら長さに必要なだけ</translation>
     </message>
     <message>
         <source>Number of corners of each loop</source>
@@ -394,6 +422,10 @@
     <message>
         <source>Number of holes</source>
         <translation>穴の数</translation>
+    </message>
+    <message>
+        <source>Number of panels</source>
+        <translation>パネルの数</translation>
     </message>
     <message>
         <source>Number of pieces on what is shown</source>
@@ -436,6 +468,10 @@
         <translation>このフィルムは片面しかそのように接合できない</translation>
     </message>
     <message>
+        <source>Panel of each triangle</source>
+        <translation>各三角形のパネル</translation>
+    </message>
+    <message>
         <source>Panels and seams as JSON, in metres</source>
         <translation>パネルと継ぎ目の JSON（メートル）</translation>
     </message>
@@ -468,6 +504,10 @@
         <translation>溶着線にしわが寄ると輪郭が動く位置（動きの大きい順）</translation>
     </message>
     <message>
+        <source>Points of the body's triangles</source>
+        <translation>立体の三角形の点</translation>
+    </message>
+    <message>
         <source>Points of the profile: radius, 0, height</source>
         <translation>断面の点：半径、0、高さ</translation>
     </message>
@@ -494,6 +534,10 @@
     <message>
         <source>Remarks made during the design</source>
         <translation>設計中の注意</translation>
+    </message>
+    <message>
+        <source>Remarks made while the body was read</source>
+        <translation>立体を読んだときの注意</translation>
     </message>
     <message>
         <source>Remarks made while the outline was found</source>
@@ -524,6 +568,10 @@
         <translation>凡例付きで色表示する結果</translation>
     </message>
     <message>
+        <source>STL, OBJ, PLY, 3MF or STEP file of a closed body; a copy travels in the document</source>
+        <translation>閉じた立体の STL、OBJ、PLY、3MF、STEP ファイル。写しが文書に入ります</translation>
+    </message>
+    <message>
         <source>SVG, DXF or JSON file of half the outline; a copy travels in the document</source>
         <translation>輪郭の半分の SVG、DXF、JSON ファイル。写しが文書に入ります</translation>
     </message>
@@ -538,6 +586,10 @@
     <message>
         <source>Simulate both panels instead of one and its mirror image</source>
         <translation>1 枚とその鏡像ではなく 2 枚とも計算する</translation>
+    </message>
+    <message>
+        <source>Size of the body along x, y and z</source>
+        <translation>立体の大きさ（x、y、z 方向）</translation>
     </message>
     <message>
         <source>Size of the triangles; 0 is automatic</source>
@@ -558,6 +610,14 @@
     <message>
         <source>Smooth stretches as single splines in place of arcs</source>
         <translation>滑らかな区間を円弧ではなく 1 本のスプラインにする</translation>
+    </message>
+    <message>
+        <source>So far outside of the body, or inside, the film lies at least</source>
+        <translation>フィルムが立体の外側（または内側）に最低限離れる距離</translation>
+    </message>
+    <message>
+        <source>Solid or mesh that the balloon is to fill, which it follows</source>
+        <translation>風船で満たすソリッドまたはメッシュ。風船はこれに従います</translation>
     </message>
     <message>
         <source>Solver that was used</source>
@@ -598,6 +658,10 @@
     <message>
         <source>The pattern that is printed</source>
         <translation>印刷する型紙</translation>
+    </message>
+    <message>
+        <source>The pattern that it is a piece of</source>
+        <translation>この部品が属する型紙</translation>
     </message>
     <message>
         <source>The patterns that are laid out</source>
@@ -644,6 +708,14 @@
         <translation>ふくらんだ風船の厚み</translation>
     </message>
     <message>
+        <source>Three points of each triangle</source>
+        <translation>各三角形の 3 つの点</translation>
+    </message>
+    <message>
+        <source>Two points of each edge at which a panel is cut open</source>
+        <translation>パネルを切り開く各辺の 2 つの点</translation>
+    </message>
+    <message>
         <source>Up to date, or what is wrong</source>
         <translation>最新か、または問題の内容</translation>
     </message>
@@ -674,6 +746,10 @@
     <message>
         <source>Volume of the balloon, from which the pressure follows</source>
         <translation>風船の体積（ここから圧力が決まる）</translation>
+    </message>
+    <message>
+        <source>Volume of the body</source>
+        <translation>立体の体積</translation>
     </message>
     <message>
         <source>Volume of the inflated balloon</source>
@@ -720,6 +796,10 @@
         <translation>気体で持ち上げられる重さ（グラム）。0 未満なら沈む</translation>
     </message>
     <message>
+        <source>What it is called on the pattern</source>
+        <translation>型紙での名前</translation>
+    </message>
+    <message>
         <source>What it is to be: an outline, a body of gores or a bag</source>
         <translation>何を作るか：輪郭、ゴアの立体、または袋</translation>
     </message>
@@ -734,6 +814,10 @@
     <message>
         <source>What the balloon is made of; Custom lets you give your own values</source>
         <translation>風船の材料。「カスタム」では値を自分で入れる</translation>
+    </message>
+    <message>
+        <source>What the body was read from</source>
+        <translation>立体の読み込み元</translation>
     </message>
     <message>
         <source>What the design of many panels has figures, as JSON</source>
@@ -784,6 +868,10 @@
         <translation>このフィルムをレーザーで切ってよいかどうか</translation>
     </message>
     <message>
+        <source>Whether the balloon follows the body, encloses or lines it</source>
+        <translation>風船が立体に沿うか、立体を包むか、内側に張るか</translation>
+    </message>
+    <message>
         <source>Which edges are joined</source>
         <translation>つながっている辺</translation>
     </message>
@@ -792,12 +880,24 @@
         <translation>並べるフィルム（弁の部品は別のフィルムから切る）</translation>
     </message>
     <message>
+        <source>Which of them each wire belongs to; 0: a copy</source>
+        <translation>各ワイヤーがどれに属するか。0 は写し</translation>
+    </message>
+    <message>
+        <source>Which piece of the pattern it is, from 1</source>
+        <translation>型紙の何番目の部品か（1 から）</translation>
+    </message>
+    <message>
         <source>Which shape of the drawing it is; 1 is the largest</source>
         <translation>図の何番目の形か（1 が最大）</translation>
     </message>
     <message>
         <source>Width from which it carries itself; 0 when never</source>
         <translation>自分の重さで浮く最小の幅（0：浮かない）</translation>
+    </message>
+    <message>
+        <source>Width of a mesh from a file, along x; 0 follows from the height, or the file</source>
+        <translation>ファイルから読んだメッシュの幅（x 方向）。0 なら高さかファイルから決まります</translation>
     </message>
     <message>
         <source>Width of a side band between front and back; 0 is two panels</source>
@@ -899,16 +999,16 @@
         <translation>「{0}」には断面がありません。立体の輪郭の半分を SVG、DXF、JSON で渡してください。</translation>
     </message>
     <message>
-        <source>'{0}' has the size of its panels, so the balloon cannot be scaled to fit: leave out --oversize scale.</source>
-        <translation>「{0}」の大きさはパネルで決まるため、風船を縮小できません。--oversize scale を外してください。</translation>
-    </message>
-    <message>
         <source>'{0}' has the size of its panels: leave out the width and the height.</source>
         <translation>「{0}」の大きさはパネルで決まります。幅と高さを外してください。</translation>
     </message>
     <message>
         <source>'{0}' has {1} x {2} pixels, more than {3} million. Make it smaller; 2000 pixels across are plenty.</source>
         <translation>「{0}」は {1} x {2} ピクセルで、{3} 百万を超えています。小さくしてください。幅 2000 ピクセルあれば十分です。</translation>
+    </message>
+    <message>
+        <source>'{0}' is a body: leave out what you give of gores or of a side band.</source>
+        <translation>「{0}」 は立体です。ゴアや側面の帯の指定を外してください。</translation>
     </message>
     <message>
         <source>'{0}' is a pipe or a device: save what comes from it, and name that file.</source>
@@ -947,8 +1047,16 @@
         <translation>「{0}」は {1} MB を超えています。図を簡単にしてください。</translation>
     </message>
     <message>
+        <source>'{0}' is larger than {1} MB. Simplify the mesh.</source>
+        <translation>「{0}」 は {1} MB を超えています。メッシュを簡単にしてください。</translation>
+    </message>
+    <message>
         <source>'{0}' is neither SVG, DXF nor JSON. Save the drawing as one of these.</source>
         <translation>「{0}」は SVG、DXF、JSON のどれでもありません。いずれかで保存してください。</translation>
+    </message>
+    <message>
+        <source>'{0}' is no closed body: leave out --panels, or give an STL, OBJ, PLY or 3MF.</source>
+        <translation>「{0}」 は閉じた立体ではありません。--panels を外すか、STL、OBJ、PLY、3MF を渡してください。</translation>
     </message>
     <message>
         <source>'{0}' is no size: write 500mm for a width, 500mmx700mm for width and height.</source>
@@ -1007,6 +1115,10 @@
         <translation>配置できるのは 1～{0} 枚です（{1} は不可）。</translation>
     </message>
     <message>
+        <source>95 % below {} ({})</source>
+        <translation>95 % が {} 以下（{}）</translation>
+    </message>
+    <message>
         <source>A balloon has no "{0}": it has {1}.</source>
         <translation>風船に「{0}」という値はありません。使えるもの：{1}。</translation>
     </message>
@@ -1029,6 +1141,10 @@
     <message>
         <source>A body of gores has no side band: leave out what you give of the one or of the other.</source>
         <translation>ゴアの立体に側面の帯はありません。どちらかの指定を外してください。</translation>
+    </message>
+    <message>
+        <source>A closed body; a copy of it travels in the document</source>
+        <translation>閉じた立体。写しが文書に入ります</translation>
     </message>
     <message>
         <source>A corner relief of {0} would cut into the weld: choose a smaller radius or a wider allowance.</source>
@@ -1203,6 +1319,10 @@
         <translation>すべてのパネルはシートに 1 回だけ載ります。反転してもう一度描かれるものはありません。</translation>
     </message>
     <message>
+        <source>All points of the mesh are in one place. Save the body as a mesh of triangles.</source>
+        <translation>メッシュの点がすべて同じ場所にあります。立体を三角形のメッシュとして保存してください。</translation>
+    </message>
+    <message>
         <source>Allowance</source>
         <translation>外側の余白</translation>
     </message>
@@ -1347,6 +1467,14 @@
         <translation>青 0、緑 {}、赤 {}</translation>
     </message>
     <message>
+        <source>Bodies</source>
+        <translation>立体</translation>
+    </message>
+    <message>
+        <source>Body</source>
+        <translation>立体</translation>
+    </message>
+    <message>
         <source>Both panels</source>
         <translation>表裏 2 枚</translation>
     </message>
@@ -1361,6 +1489,10 @@
     <message>
         <source>Brush</source>
         <translation>ブラシ</translation>
+    </message>
+    <message>
+        <source>By at least</source>
+        <translation>最小の間隔</translation>
     </message>
     <message>
         <source>Cannot write to {0}: {1}. Choose another folder, or make room there.</source>
@@ -1385,6 +1517,10 @@
     <message>
         <source>Checking the pattern</source>
         <translation>型紙を確かめています</translation>
+    </message>
+    <message>
+        <source>Choose a body</source>
+        <translation>立体を選んでください</translation>
     </message>
     <message>
         <source>Choose a drawing</source>
@@ -1413,6 +1549,10 @@
     <message>
         <source>Choose a sketch or a file with half the outline.</source>
         <translation>輪郭の半分のスケッチかファイルを選んでください。</translation>
+    </message>
+    <message>
+        <source>Choose a solid, a mesh or a file with one.</source>
+        <translation>ソリッド、メッシュ、またはそれを含むファイルを選んでください。</translation>
     </message>
     <message>
         <source>Choose sketches, a file or a ready body.</source>
@@ -1527,6 +1667,14 @@
         <translation>距離</translation>
     </message>
     <message>
+        <source>Distance from profile or drawing</source>
+        <translation>断面または図との隔たり</translation>
+    </message>
+    <message>
+        <source>Dividing a body needs scipy: install it with pip install scipy.</source>
+        <translation>立体の分割には scipy が必要です。pip install scipy で入れてください。</translation>
+    </message>
+    <message>
         <source>Dots per inch</source>
         <translation>解像度（dpi）</translation>
     </message>
@@ -1575,6 +1723,10 @@
         <translation>線の色ごとに別の加工になります。赤、青、オレンジを切り、ほかはすべて「無視」にしてください。DXF は読めません。</translation>
     </message>
     <message>
+        <source>Edges of the mesh at which more than two triangles meet: {0}. Repair it in the program that it comes from, so that it is the surface of a solid.</source>
+        <translation>3 つ以上の三角形が集まるメッシュの辺：{0}。元のプログラムで直し、ソリッドの表面になるようにしてください。</translation>
+    </message>
+    <message>
         <source>Edit artwork</source>
         <translation>絵柄を編集</translation>
     </message>
@@ -1593,6 +1745,10 @@
     <message>
         <source>Elastic materials</source>
         <translation>弾性材料</translation>
+    </message>
+    <message>
+        <source>Encloses it</source>
+        <translation>立体を包む</translation>
     </message>
     <message>
         <source>Eraser</source>
@@ -1735,6 +1891,10 @@
         <translation>型紙を合わせています</translation>
     </message>
     <message>
+        <source>Flattening needs scipy: install it with pip install scipy.</source>
+        <translation>平らに広げるには scipy が必要です。pip install scipy で入れてください。</translation>
+    </message>
+    <message>
         <source>Folder</source>
         <translation>フォルダー</translation>
     </message>
@@ -1745,6 +1905,10 @@
     <message>
         <source>Follow every change at once</source>
         <translation>変更にすぐ追従する</translation>
+    </message>
+    <message>
+        <source>Follows the body</source>
+        <translation>立体に沿う</translation>
     </message>
     <message>
         <source>For {0} the drawing would be {1} large: choose a volume that makes it {2} to {3}.</source>
@@ -1911,6 +2075,10 @@
         <translation>パネル「{1}」の穴 {0} が反時計回りです。点の順を逆にしてください。</translation>
     </message>
     <message>
+        <source>Holes of the mesh that were closed: {0}.</source>
+        <translation>閉じたメッシュの穴：{0}。</translation>
+    </message>
+    <message>
         <source>How a balloon follows its pattern can be worked out for an elastic weld alone: choose that one.</source>
         <translation>型紙の変化に風船がどう従うかを計算できるのは、弾性の溶着線だけです。それを選んでください。</translation>
     </message>
@@ -2013,6 +2181,10 @@
     <message>
         <source>It is wider now. Ctrl+Z takes that back.</source>
         <translation>広くしました。Ctrl+Z で元に戻せます。</translation>
+    </message>
+    <message>
+        <source>Its pattern is gone: delete it.</source>
+        <translation>元の型紙がありません。これを削除してください。</translation>
     </message>
     <message>
         <source>JSON</source>
@@ -2159,6 +2331,10 @@
         <translation>線</translation>
     </message>
     <message>
+        <source>Lines it inside</source>
+        <translation>立体の内側に張る</translation>
+    </message>
+    <message>
         <source>Lines that close around nothing beside the shapes were left out.</source>
         <translation>形のそばにある、何も囲まない線は無視しました。</translation>
     </message>
@@ -2251,6 +2427,10 @@
         <translation>注意</translation>
     </message>
     <message>
+        <source>Mirror</source>
+        <translation>反転</translation>
+    </message>
+    <message>
         <source>Mode</source>
         <translation>モード</translation>
     </message>
@@ -2277,6 +2457,10 @@
     <message>
         <source>Natural shape</source>
         <translation>自然形</translation>
+    </message>
+    <message>
+        <source>Near {0} the film stays {1} from the body, which is too thin or too sharp there for panels. Cut such a part off, or divide the body along it.</source>
+        <translation>{0} の近くでフィルムが立体から {1} 離れています。そこは細すぎるか、とがりすぎていてパネルでは作れません。その部分を切り取るか、それに沿って立体を分けてください。</translation>
     </message>
     <message>
         <source>Near {0} the inflated outline stays up to {1} from the drawing, over a length of {2}: film cannot follow it there. Round it off or widen it.</source>
@@ -2309,6 +2493,10 @@
     <message>
         <source>New bag of panels</source>
         <translation>新しいパネルの袋</translation>
+    </message>
+    <message>
+        <source>New balloon from body</source>
+        <translation>立体から新しい風船</translation>
     </message>
     <message>
         <source>New balloon from picture</source>
@@ -2383,6 +2571,10 @@
         <translation>使えるソルバーがありません：{0} ソルバーをビルドするか、パッケージ scipy を入れてください。</translation>
     </message>
     <message>
+        <source>No triangle of the mesh has an area. Save the body as a mesh of triangles.</source>
+        <translation>メッシュのどの三角形にも面積がありません。立体を三角形のメッシュとして保存してください。</translation>
+    </message>
+    <message>
         <source>No, use NumPy</source>
         <translation>いいえ、NumPy を使う</translation>
     </message>
@@ -2447,8 +2639,16 @@
         <translation>OK のあと {}</translation>
     </message>
     <message>
+        <source>Of the bodies of the mesh only the largest is made; all in all there are: {0}.</source>
+        <translation>メッシュの立体のうち、最大のものだけを作ります。全部の数：{0}。</translation>
+    </message>
+    <message>
         <source>Off</source>
         <translation>オフ</translation>
+    </message>
+    <message>
+        <source>Off the body</source>
+        <translation>立体からのずれ</translation>
     </message>
     <message>
         <source>Off the drawing</source>
@@ -2463,8 +2663,8 @@
         <translation>断面からのずれ</translation>
     </message>
     <message>
-        <source>Off the {0}: {1} on average, at most {2}</source>
-        <translation>{0}からのずれ：平均 {1}、最大 {2}</translation>
+        <source>Off the {0}: {1} on average, 95 % below {2}, at most {3}</source>
+        <translation>{0}からのずれ：平均 {1}、95 % が {2} 以下、最大 {3}</translation>
     </message>
     <message>
         <source>Offer the native solver where it is missing</source>
@@ -2579,6 +2779,10 @@
         <translation>パネル</translation>
     </message>
     <message>
+        <source>Panel '{0}' crosses itself: divide the body otherwise there.</source>
+        <translation>パネル 「{0}」 が自分と交わります。そこで立体の分け方を変えてください。</translation>
+    </message>
+    <message>
         <source>Panel '{0}' crosses or nearly touches itself: separate the parts that meet there.</source>
         <translation>パネル「{0}」が自分と交わるか、ほとんど接しています。そこで出会う部分を離してください。</translation>
     </message>
@@ -2595,6 +2799,10 @@
         <translation>パネル「{0}」が内側から見た向きです。点が時計回りです。反転するか、点の順を逆にしてください。</translation>
     </message>
     <message>
+        <source>Panel '{0}' is the whole surface and has no edge: divide the body into more panels.</source>
+        <translation>パネル 「{0}」 が表面全体になり、縁がありません。立体をもっと多くのパネルに分けてください。</translation>
+    </message>
+    <message>
         <source>Panel {0} has a triangle with a vertex that is not there. Mesh it anew.</source>
         <translation>パネル{0}に存在しない頂点をもつ三角形があります。メッシュを作り直してください。</translation>
     </message>
@@ -2609,6 +2817,14 @@
     <message>
         <source>Panel {0} has no edge {1} for the opening: say another one of its outer loop.</source>
         <translation>パネル {0} には開口に使う辺 {1} がありません。外側の境界の別の辺を指定してください。</translation>
+    </message>
+    <message>
+        <source>Panel {0} has no room for its name: write it beside the cut when you lay it out.</source>
+        <translation>パネル {0} には名前を書く場所がありません。並べるときに切り線の横に書いてください。</translation>
+    </message>
+    <message>
+        <source>Panel {0} has no room for numbers and arrows of seams: {1}. Its notches tell them apart.</source>
+        <translation>パネル {0} には継ぎ目の番号と矢印を書く場所がありません：{1}。合印で見分けられます。</translation>
     </message>
     <message>
         <source>Panel {0} is not cut: say another one for the opening.</source>
@@ -2891,6 +3107,10 @@
         <translation>RDWorks（Ruida レーザー）</translation>
     </message>
     <message>
+        <source>Reading a mesh needs scipy: install it with pip install scipy.</source>
+        <translation>メッシュを読むには scipy が必要です: pip install scipy でインストールしてください。</translation>
+    </message>
+    <message>
         <source>Ready body</source>
         <translation>既製の立体</translation>
     </message>
@@ -2967,6 +3187,10 @@
         <translation>丸める半径</translation>
     </message>
     <message>
+        <source>STL, OBJ, PLY, 3MF or STEP</source>
+        <translation>STL、OBJ、PLY、3MF、STEP</translation>
+    </message>
+    <message>
         <source>SVG files can be written but not read without it; pictures, DXF and JSON can be read.</source>
         <translation>これがないと SVG は書けますが読めません。画像、DXF、JSON は読めます。</translation>
     </message>
@@ -3005,6 +3229,10 @@
     <message>
         <source>Scale to fit</source>
         <translation>収まるように縮める</translation>
+    </message>
+    <message>
+        <source>Scaled to fit: the balloon is {0} wide instead of {1}.</source>
+        <translation>収まるように縮めました。風船の幅は {1} でなく {0} です。</translation>
     </message>
     <message>
         <source>Scaled to fit: the drawing is {0} wide instead of {1}.</source>
@@ -3165,6 +3393,10 @@
     <message>
         <source>Select a sketch, a wire or a face in the tree or the 3D view.</source>
         <translation>ツリーか 3D ビューでスケッチ、ワイヤー、面を選んでください。</translation>
+    </message>
+    <message>
+        <source>Select a solid or a mesh, or choose a file.</source>
+        <translation>ソリッドかメッシュを選択するか、ファイルを選んでください。</translation>
     </message>
     <message>
         <source>Select another</source>
@@ -3383,6 +3615,10 @@
         <translation>テープの継ぎ目</translation>
     </message>
     <message>
+        <source>Target</source>
+        <translation>目標の立体</translation>
+    </message>
+    <message>
         <source>Tension field</source>
         <translation>張力場</translation>
     </message>
@@ -3439,6 +3675,22 @@
         <translation>立体「{1}」の '{0}' が範囲の外です。{2} にしてください。</translation>
     </message>
     <message>
+        <source>The 3MF file has more than {0} bodies. Leave one of them in it.</source>
+        <translation>3MF ファイルの立体が {0} 個を超えています。1 つだけ残してください。</translation>
+    </message>
+    <message>
+        <source>The 3MF file has no bodies. Save the body as a mesh of triangles.</source>
+        <translation>3MF ファイルに立体がありません。立体を三角形のメッシュとして保存してください。</translation>
+    </message>
+    <message>
+        <source>The 3MF file is damaged ({}). Save it once more.</source>
+        <translation>3MF ファイルが壊れています（{}）。保存し直してください。</translation>
+    </message>
+    <message>
+        <source>The 3MF file is too large. Simplify the mesh in the program it comes from.</source>
+        <translation>3MF ファイルが大きすぎます。元のプログラムでメッシュを簡単にしてください。</translation>
+    </message>
+    <message>
         <source>The DXF file has errors; what could be read was taken from it.</source>
         <translation>DXF ファイルに誤りがあります。読めたものだけを取り込みました。</translation>
     </message>
@@ -3475,12 +3727,36 @@
         <translation>JSON ファイルの {0} には少なくとも {1} 必要です。{2}</translation>
     </message>
     <message>
+        <source>The OBJ file has a face that is no list of points. Save it once more.</source>
+        <translation>OBJ ファイルに、点の並びでない面があります。保存し直してください。</translation>
+    </message>
+    <message>
+        <source>The OBJ file has no faces. Save the body as a mesh of triangles.</source>
+        <translation>OBJ ファイルに面がありません。立体を三角形のメッシュとして保存してください。</translation>
+    </message>
+    <message>
+        <source>The PLY file has no faces. Save the body as a mesh of triangles.</source>
+        <translation>PLY ファイルに面がありません。立体を三角形のメッシュとして保存してください。</translation>
+    </message>
+    <message>
+        <source>The PLY file is damaged: {} Save it once more.</source>
+        <translation>PLY ファイルが壊れています：{} 保存し直してください。</translation>
+    </message>
+    <message>
         <source>The Poisson's ratio {0} is not between 0 and 0.5: give one such as 0.38.</source>
         <translation>ポアソン比 {0} は 0 から 0.5 の間にありません。0.38 のように指定してください。</translation>
     </message>
     <message>
         <source>The Python package {0} is missing. {1} To get it: pip install {2}</source>
         <translation>Python パッケージ {0} がありません。{1} 入れるには：pip install {2}</translation>
+    </message>
+    <message>
+        <source>The STL file is damaged: it ends too early. Save it once more.</source>
+        <translation>STL ファイルが壊れています。途中で終わっています。保存し直してください。</translation>
+    </message>
+    <message>
+        <source>The STL file is damaged: it has no triangles, or half of one. Save it once more.</source>
+        <translation>STL ファイルが壊れています。三角形がないか、途中で切れています。保存し直してください。</translation>
     </message>
     <message>
         <source>The SVG file cannot be read ({0}). Save it as plain SVG once more.</source>
@@ -3527,6 +3803,10 @@
         <translation>袋のパネルが {0} 枚で、{1} 枚を超えています。大きなパネルを少なくして作ってください。</translation>
     </message>
     <message>
+        <source>The balloon</source>
+        <translation>風船</translation>
+    </message>
+    <message>
         <source>The balloon has no opening: say at which edge it is filled, or choose no intake.</source>
         <translation>風船に開口がありません。空気を入れる辺を指定するか、注入口なしを選んでください。</translation>
     </message>
@@ -3547,6 +3827,10 @@
         <translation>ゴア {0} 枚の風船は断面から平均で対角線の {1} ずれています。求められたのは {2} です。継ぎ目がゴアの中央より最大 {3} 外に出ます。{4}</translation>
     </message>
     <message>
+        <source>The balloon stays {0} from the body on average, {1} of its diagonal: flat panels bulge between their seams. Take more than {2} panels.</source>
+        <translation>風船は立体から平均 {0}（対角線の {1}）離れています。平らなパネルは継ぎ目の間でふくらむためです。パネルを {2} 枚より多くしてください。</translation>
+    </message>
+    <message>
         <source>The balloon whose weld creases did not come to rest; what is told of it is its last good state.</source>
         <translation>溶着線にしわが寄った風船が静止しませんでした。その数値は最後の良い状態のものです。</translation>
     </message>
@@ -3561,6 +3845,22 @@
     <message>
         <source>The body '{0}' has no '{1}'. It has {2}.</source>
         <translation>立体「{0}」に '{1}' はありません。あるのは {2} です。</translation>
+    </message>
+    <message>
+        <source>The body is thinner than {0} over {1} of its surface: film bulges there. Make such parts of two panels of their own, or thicker.</source>
+        <translation>立体は表面の {1} で {0} より薄くなっています。そこではフィルムがふくらみます。そのような部分は別の二枚のパネルで作るか、厚くしてください。</translation>
+    </message>
+    <message>
+        <source>The body is {0} long. Give a width or a height, so that it is between {1} and {2}.</source>
+        <translation>立体の長さが {0} です。{1}～{2} になるように、幅か高さを指定してください。</translation>
+    </message>
+    <message>
+        <source>The body of the mesh is flat: it encloses {0} % of its size. Give a closed body, or a drawing for two equal panels.</source>
+        <translation>メッシュの立体が平らです。囲む体積は大きさの {0} % です。閉じた立体か、同じ 2 枚のパネル用の図を渡してください。</translation>
+    </message>
+    <message>
+        <source>The body of the profile is {0} high and {1} wide: no balloon is so flat. Draw its profile higher, or make it of two panels.</source>
+        <translation>断面の立体は高さ {0}、幅 {1} です。これほど平らな風船はできません。断面をもっと高く描くか、2 枚のパネルで作ってください。</translation>
     </message>
     <message>
         <source>The caps are too large for the ball. Choose a smaller diameter for them.</source>
@@ -3649,6 +3949,18 @@
     <message>
         <source>The edges of the chosen seam are free again</source>
         <translation>選んだ継ぎ目の辺が自由になりました</translation>
+    </message>
+    <message>
+        <source>The faces of {0} cannot be told from each other in a mesh. Repair the solid, or give a mesh of it.</source>
+        <translation>{0} の面をメッシュで区別できません。ソリッドを直すか、そのメッシュを渡してください。</translation>
+    </message>
+    <message>
+        <source>The file does not name its unit: the largest size in it, {0}, is taken as metres. Give a width to have another one.</source>
+        <translation>ファイルに単位が書かれていません。最大の寸法 {0} をメートルとみなします。変えるには幅を指定してください。</translation>
+    </message>
+    <message>
+        <source>The file has no solid that can be read. Save it once more as STEP.</source>
+        <translation>ファイルに読み込めるソリッドがありません。STEP で保存し直してください。</translation>
     </message>
     <message>
         <source>The file is XML but no SVG drawing. Choose a drawing.</source>
@@ -3855,12 +4167,36 @@
         <translation>機械のファイル {0} に {1} がありません。加えてください。</translation>
     </message>
     <message>
+        <source>The mesh has a triangle with a point that is not there. Save it once more.</source>
+        <translation>メッシュに、存在しない点をもつ三角形があります。保存し直してください。</translation>
+    </message>
+    <message>
         <source>The mesh has a vertex without triangles. Mesh the outline anew.</source>
         <translation>メッシュに三角形のない節点があります。輪郭のメッシュを作り直してください。</translation>
     </message>
     <message>
+        <source>The mesh has no triangle. Save the body as a mesh of triangles.</source>
+        <translation>メッシュに三角形がありません。立体を三角形のメッシュとして保存してください。</translation>
+    </message>
+    <message>
+        <source>The mesh has too many triangles, more than {0}. Simplify it in the program that it comes from.</source>
+        <translation>メッシュの三角形が多すぎます（{0} 個を超えています）。元のプログラムで簡単にしてください。</translation>
+    </message>
+    <message>
+        <source>The mesh is flat. Give a closed body, or a drawing for two equal panels.</source>
+        <translation>メッシュが平らです。閉じた立体か、同じ 2 枚のパネル用の図を渡してください。</translation>
+    </message>
+    <message>
+        <source>The mesh is not closed: a hole is {0} % of its size long round. Close it in the program that the mesh comes from.</source>
+        <translation>メッシュが閉じていません。穴の周りの長さが大きさの {0} % あります。メッシュの元のプログラムで閉じてください。</translation>
+    </message>
+    <message>
         <source>The mesh size is {0}: give one above 0.</source>
         <translation>メッシュの大きさが {0} です。0 より大きくしてください。</translation>
+    </message>
+    <message>
+        <source>The mesh was made simpler. Its triangles were: {0}.</source>
+        <translation>メッシュを単純にしました。元の三角形の数: {0}。</translation>
     </message>
     <message>
         <source>The native solver cannot be saved. {0}</source>
@@ -4207,6 +4543,10 @@
         <translation>要約を表示できません（{0}）。{1}。</translation>
     </message>
     <message>
+        <source>The surface of the mesh has no outside, as a Moebius strip. Give the mesh of a solid.</source>
+        <translation>メッシュの表面に外側がありません（メビウスの帯のような形）。ソリッドのメッシュを渡してください。</translation>
+    </message>
+    <message>
         <source>The temperature of the {0}, {1} degrees Celsius, is out of range: give one such as 20C.</source>
         <translation>温度（{0}）{1} ℃ は範囲外です。20C のように指定してください。</translation>
     </message>
@@ -4265,6 +4605,10 @@
     <message>
         <source>The {0} end of the profile is {1} away from the axis, so no gores can meet there in a point. Close it with a disc, or leave it open.</source>
         <translation>断面の端（{0}）は軸から {1} 離れているため、ゴアを 1 点に集められません。円板で閉じるか、開けておいてください。</translation>
+    </message>
+    <message>
+        <source>The {0} file has a point that is no three numbers. Save it once more.</source>
+        <translation>{0} ファイルに、3 つの数でない点があります。保存し直してください。</translation>
     </message>
     <message>
         <source>The {0} is {1} mm: give one above 0, for example 300 mm.</source>
@@ -4533,6 +4877,18 @@
     <message>
         <source>Triangle {0} of panel {1} runs clockwise. Mesh the panel anew.</source>
         <translation>パネル{1}の三角形{0}が時計回りです。パネルのメッシュを作り直してください。</translation>
+    </message>
+    <message>
+        <source>Triangles of the mesh that lay on others were left out: {0}.</source>
+        <translation>ほかと重なっていたため省いたメッシュの三角形：{0}。</translation>
+    </message>
+    <message>
+        <source>Triangles of the mesh that were the wrong way round were turned: {0}.</source>
+        <translation>裏返しだったため向きを直したメッシュの三角形：{0}。</translation>
+    </message>
+    <message>
+        <source>Triangles of the mesh whose points are no numbers were left out: {0}.</source>
+        <translation>点が数でないため省いたメッシュの三角形：{0}。</translation>
     </message>
     <message>
         <source>Try temperature and time on two scraps: the weld must stretch or tear before it opens.</source>
@@ -4831,8 +5187,20 @@
         <translation>LightBurn プロジェクトのレイヤーは {0} までです。ペンを変えてください。</translation>
     </message>
     <message>
+        <source>a body consists of itself, or of one that is not there</source>
+        <translation>立体が自分自身か、存在しない立体でできている</translation>
+    </message>
+    <message>
         <source>a coordinate is not a number</source>
         <translation>数ではない座標がある</translation>
+    </message>
+    <message>
+        <source>a face is no list of points.</source>
+        <translation>点の並びでない面があります。</translation>
+    </message>
+    <message>
+        <source>a point is no three numbers.</source>
+        <translation>3 つの数でない点があります。</translation>
     </message>
     <message>
         <source>a transform is not a number</source>
@@ -4873,6 +5241,10 @@
     <message>
         <source>artwork.pdf was left out. {0}</source>
         <translation>artwork.pdf を省きました。{0}</translation>
+    </message>
+    <message>
+        <source>at most {} ({})</source>
+        <translation>最大 {}（{}）</translation>
     </message>
     <message>
         <source>at most {} {}</source>
@@ -5019,6 +5391,10 @@
         <translation>平均 {}</translation>
     </message>
     <message>
+        <source>in the mean {} ({})</source>
+        <translation>平均 {}（{}）</translation>
+    </message>
+    <message>
         <source>in {}</source>
         <translation>保存先：{}</translation>
     </message>
@@ -5039,6 +5415,14 @@
         <translation>時間を追って膨張中</translation>
     </message>
     <message>
+        <source>intake piece {0}</source>
+        <translation>注入口の部品 {0}</translation>
+    </message>
+    <message>
+        <source>it ends too early.</source>
+        <translation>途中で終わっています。</translation>
+    </message>
+    <message>
         <source>it is nested too deeply</source>
         <translation>入れ子が深すぎます</translation>
     </message>
@@ -5057,6 +5441,22 @@
     <message>
         <source>it would grow together with another part</source>
         <translation>別の部分とつながってしまう</translation>
+    </message>
+    <message>
+        <source>its header cannot be understood.</source>
+        <translation>ヘッダーを読み取れません。</translation>
+    </message>
+    <message>
+        <source>its header has no end.</source>
+        <translation>ヘッダーに終わりがありません。</translation>
+    </message>
+    <message>
+        <source>its points have lists.</source>
+        <translation>点にリストが含まれています。</translation>
+    </message>
+    <message>
+        <source>its points have no x, y and z.</source>
+        <translation>点に x、y、z がありません。</translation>
     </message>
     <message>
         <source>known of two equal panels alone</source>
@@ -5267,6 +5667,10 @@
         <translation>溶着線の剛性に出典がありません。出典を書くか、「assumed」としてください。</translation>
     </message>
     <message>
+        <source>there is no model in it</source>
+        <translation>モデルが入っていない</translation>
+    </message>
+    <message>
         <source>there is no such corner</source>
         <translation>そのような角がない</translation>
     </message>
@@ -5427,6 +5831,10 @@
         <translation>{0} にはまだ結果がありません。再計算してください。</translation>
     </message>
     <message>
+        <source>{0} has no shape. Choose a solid or a mesh.</source>
+        <translation>{0} に形状がありません。ソリッドかメッシュを選んでください。</translation>
+    </message>
+    <message>
         <source>{0} has no shape: select a sketch, a wire or a face.</source>
         <translation>{0} に形状がありません。スケッチ、ワイヤー、面を選んでください。</translation>
     </message>
@@ -5443,8 +5851,16 @@
         <translation>{0} には複数の面があります。パネルになる面を選んでください。</translation>
     </message>
     <message>
+        <source>{0} has {1} bodies: choose one of them.</source>
+        <translation>{0} には立体が {1} 個あります。1 つを選んでください。</translation>
+    </message>
+    <message>
         <source>{0} has {1} construction lines: leave one of them, which is the axis.</source>
         <translation>{0} には補助線が {1} 本あります。軸になる 1 本だけを残してください。</translation>
+    </message>
+    <message>
+        <source>{0} has {1} pieces now: delete it.</source>
+        <translation>{0} の部品は今 {1} 個です。これを削除してください。</translation>
     </message>
     <message>
         <source>{0} hole with a thin line round it was filled, as a pen's: choose Drawn as filled shape to keep it.</source>
@@ -5467,6 +5883,10 @@
         <translation>{0} は穴の辺です。開口には外側の境界の辺を選んでください。</translation>
     </message>
     <message>
+        <source>{0} is curved both ways, so that its film folds. Give a number of panels, into which the body is divided.</source>
+        <translation>{0} は 2 方向に曲がっているため、フィルムに折れ目ができます。立体を分けるパネルの数を指定してください。</translation>
+    </message>
+    <message>
         <source>{0} is damaged or incomplete ({1}). Install the workbench anew.</source>
         <translation>{0} は壊れているか不完全です（{1}）。ワークベンチを入れ直してください。</translation>
     </message>
@@ -5485,6 +5905,10 @@
     <message>
         <source>{0} is empty: draw half an outline in it, beside the vertical axis.</source>
         <translation>{0} は空です。縦の軸の横に輪郭の半分を描いてください。</translation>
+    </message>
+    <message>
+        <source>{0} is hollow: choose a solid without a space inside.</source>
+        <translation>{0} は中が空洞です。内側に空間のないソリッドを選んでください。</translation>
     </message>
     <message>
         <source>{0} is in no seam. Seal it to another edge.</source>
@@ -5509,6 +5933,10 @@
     <message>
         <source>{0} is not a coordinate</source>
         <translation>{0} は座標ではない</translation>
+    </message>
+    <message>
+        <source>{0} is not closed: film can only be filled where it is. Choose a solid.</source>
+        <translation>{0} は閉じていません。閉じていないとフィルムに空気を入れられません。ソリッドを選んでください。</translation>
     </message>
     <message>
         <source>{0} is not flat: a balloon is cut from flat film, so draw it in one plane.</source>
@@ -5743,6 +6171,10 @@
         <translation>{} の{}</translation>
     </message>
     <message>
+        <source>{} panels, {} of seams, {} inside</source>
+        <translation>パネル {} 枚、継ぎ目 {}、内側 {}</translation>
+    </message>
+    <message>
         <source>{} x {}, {} thick, {}</source>
         <translation>{} x {}、厚み {}、{}</translation>
     </message>
@@ -5869,6 +6301,17 @@
     <message>
         <source>Write the flat pattern of a balloon for a cutter, a plotter, a heat sealer or a printer</source>
         <translation>風船の平らな型紙を、カッター、プロッター、ヒートシーラー、プリンター用に書き出す</translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_FromBody</name>
+    <message>
+        <source>Find the panels of a balloon that fills the selected solid or mesh</source>
+        <translation>選んだソリッドまたはメッシュを満たす風船のパネルを求めます</translation>
+    </message>
+    <message>
+        <source>New balloon from body</source>
+        <translation>立体から新しい風船</translation>
     </message>
 </context>
 <context>

@@ -17,10 +17,11 @@ sys.path += [
 
 import hands
 import sketches
+from remembered import remembered
 
 from BalloonWorkbench import app, gui
 from BalloonWorkbench.app.document import create
-from BalloonWorkbench.core import faults, memoize
+from BalloonWorkbench.core import faults
 from BalloonWorkbench.gui.window import file_dialogs
 
 
@@ -39,9 +40,10 @@ def workbench():
 
 
 @pytest.fixture(autouse=True)
-def nothing_known():
-    """Each test works out what it asks for."""
-    memoize.forget()
+def known(request):
+    """What tests before have worked out, but for those that look at the work itself."""
+    with remembered(request.node):
+        yield
 
 
 @pytest.fixture(autouse=True)

@@ -360,14 +360,10 @@ def do_once_more(do, run, engine):
     leave_all(run)
 
 
-@pytest.fixture(autouse=True)
-def in_rows(monkeypatch):
-    """The search for the closest layout takes its time; what it raises is tested in test_nesting.py."""
-    monkeypatch.setattr(nest, "PACKAGE", "no_such_package")
-
-
 @pytest.mark.parametrize("do", DONE[: max(COUNT, 1)], ids=lambda do: do.__name__)
-def test_no_fault_of_the_engine_ends_the_window(do, listener, folder, rectangle_file):
+def test_no_fault_of_the_engine_ends_the_window(do, listener, folder, rectangle_file, monkeypatch):
+    # the search for the closest layout takes its time; what it raises is tested in test_nesting.py
+    monkeypatch.setattr(nest, "PACKAGE", "no_such_package")
     number = DONE.index(do)
     count = len(range(number, COUNT, len(DONE)))
     places, wrong, run = [(FIRST[do], 1, injected.ERRORS[number % 3])], [], None

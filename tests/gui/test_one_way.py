@@ -8,6 +8,8 @@ from counting import counted
 
 from BalloonWorkbench.app.border import status
 
+pytestmark = pytest.mark.works_out
+
 ONCE = {"trace": 1, "design": 1, "pattern": 1, "report": 1}
 
 

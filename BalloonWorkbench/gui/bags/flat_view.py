@@ -130,11 +130,10 @@ class FlatView(QtWidgets.QWidget):
             painter.drawPath(_area(loops, transform))
         for edge in shown.edges:
             self._draw(painter, edge, transform)
-        for edge in shown.edges:
-            if edge.seam is not None:
-                _label(painter, str(edge.seam + 1), self._inside(edge, transform))
+        numbered = [edge for edge in shown.edges if edge.seam is not None]
+        taken = [_label(painter, str(edge.seam + 1), self._inside(edge, transform)) for edge in numbered]
         for panel, loops in zip(shown.bag.panels, shown.loops):
-            _name(painter, panel.name, _area(loops, transform).boundingRect())
+            _name(painter, panel.name, _area(loops, transform), taken)
         if shown.opening is not None:
             _ring(painter, transform.map(QtCore.QPointF(*shown.opening.tolist())))
 
@@ -191,15 +190,17 @@ def _tip(edge: PanelEdge) -> str:
     return translate("In no seam yet: {}").format(text)
 
 
-def _name(painter, text: str, box) -> None:
-    """The name of a panel in its middle, where there is room."""
-    if painter.fontMetrics().horizontalAdvance(text) + 4.0 * _BESIDE < box.width():
+def _name(painter, text: str, area, taken: list) -> None:
+    """The name of a panel in its middle, where there is room beside the numbers."""
+    box = QtCore.QRectF(painter.fontMetrics().boundingRect(text)).adjusted(-1, 0, 1, 0)
+    box.moveCenter(area.boundingRect().center())
+    if area.contains(box) and not any(box.intersects(other) for other in taken):
         painter.setPen(QtCore.Qt.black)
         painter.drawText(box, QtCore.Qt.AlignCenter, text)
 
 
-def _label(painter, text: str, at) -> None:
-    """A number on a light ground, whatever is below it."""
+def _label(painter, text: str, at):
+    """A number on a light ground, whatever is below it; returns its box."""
     box = QtCore.QRectF(painter.fontMetrics().boundingRect(text)).adjusted(-3, -1, 3, 1)
     box.moveCenter(at)
     painter.setPen(QtCore.Qt.NoPen)
@@ -207,6 +208,7 @@ def _label(painter, text: str, at) -> None:
     painter.drawRoundedRect(box, 3, 3)
     painter.setPen(QtCore.Qt.black)
     painter.drawText(box, QtCore.Qt.AlignCenter, text)
+    return box
 
 
 def _ring(painter, at) -> None:

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from BalloonWorkbench.gui.bags.seam_colours import FREE, WRONG, panel_tint, seam_colour
-from BalloonWorkbench.gui.view import OutlineView, _View
+from BalloonWorkbench.gui.view import OutlineView, _View, layer_colours
 
 
 class GoredBodyView(OutlineView):
@@ -14,6 +14,35 @@ class GoredBodyView(OutlineView):
 
     def doubleClicked(self, vobj):
         return _View.doubleClicked(self, vobj)
+
+
+class TargetView(_View):
+    """Lines: the seams on the body."""
+
+    icon = "target"
+
+    def style(self, vobj):
+        vobj.LineWidth = 3.0
+        vobj.PointSize = 1.0
+
+
+class PanelView(_View):
+    """A piece of film in the tint of its panel, with lines in the colours of the cutter's layers."""
+
+    icon = "pattern"
+
+    def style(self, vobj):
+        vobj.DisplayMode = "Flat Lines"
+        vobj.ShapeColor = panel_tint(vobj.Object.Number - 1)
+        vobj.Transparency = 40
+        vobj.PointSize = 1.0
+        if vobj.Object.Pattern is not None:
+            vobj.Object.Pattern.Visibility = False  # its panels show it
+
+    def updateData(self, obj, name):
+        super().updateData(obj, name)
+        if name == "Roles":
+            obj.ViewObject.LineColorArray = layer_colours(obj)
 
 
 class BagView(_View):

@@ -4,7 +4,14 @@
 from __future__ import annotations
 
 from BalloonWorkbench.gui.commands import command, examples
-from BalloonWorkbench.gui.commands.create import FromPanels, FromPicture, FromProfile, FromSketch, Paint
+from BalloonWorkbench.gui.commands.create import (
+    FromBody,
+    FromPanels,
+    FromPicture,
+    FromProfile,
+    FromSketch,
+    Paint,
+)
 from BalloonWorkbench.gui.commands.equipment import Equipment
 from BalloonWorkbench.gui.commands.making import ArtworkCommand, AssemblySheet, ExportPattern, Nest
 from BalloonWorkbench.gui.commands.results import AdviceCommand, Animate, ColourMapCommand
@@ -14,6 +21,7 @@ _COMMANDS = {
     "BalloonWorkbench_FromPicture": FromPicture,
     "BalloonWorkbench_FromSketch": FromSketch,
     "BalloonWorkbench_FromProfile": FromProfile,
+    "BalloonWorkbench_FromBody": FromBody,
     "BalloonWorkbench_FromPanels": FromPanels,
     "BalloonWorkbench_Advice": AdviceCommand,
     "BalloonWorkbench_ColourMap": ColourMapCommand,

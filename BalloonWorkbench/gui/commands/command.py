@@ -16,6 +16,7 @@ _KEYS = {
     "FromPicture": "B, I",
     "FromSketch": "B, K",
     "FromProfile": "B, O",
+    "FromBody": "B, Y",
     "FromPanels": "B, N",
     "Advice": "B, A",
     "ColourMap": "B, M",

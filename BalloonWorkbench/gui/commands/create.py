@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""New balloons: painted, from a picture or another drawing file, from a sketch, of gores, of panels."""
+"""New balloons: painted, from a drawing file, from a sketch, of gores, of panels, from a body."""
 
 from __future__ import annotations
 
@@ -85,8 +85,7 @@ class FromSketch(Command):
             if source is not None:
                 parts.outline.Source = source
                 name_group(parts.balloon.getParentGroup(), f"{source[0].Label} balloon")
-                if source[0].isDerivedFrom("Sketcher::SketchObject"):
-                    source[0].ViewObject.Visibility = False  # the outline shows it
+                _hide_sketch(source[0])
             show(BalloonPanel(parts, sketch=True, edit=edit))
 
 
@@ -110,6 +109,7 @@ class FromProfile(Command):
             if source is not None:
                 parts.outline.Source = source
                 name_group(parts.balloon.getParentGroup(), f"{source[0].Label} body")
+                _hide_sketch(source[0])
 
         _begin(translate("New body of gores"), GORED_BODY, take)
 
@@ -126,7 +126,7 @@ class FromPanels(Command):
 
     def Activated(self):
         from BalloonWorkbench.app.bag import set_panels
-        from BalloonWorkbench.app.group import BAG
+        from BalloonWorkbench.app.group import BAG, name_group
         from BalloonWorkbench.gui.window.selection import selected_panels
 
         chosen = selected_panels() if App.ActiveDocument is not None else []
@@ -134,8 +134,41 @@ class FromPanels(Command):
         def take(parts):
             if chosen:
                 set_panels(parts.outline, chosen)
+                name_group(parts.balloon.getParentGroup(), f"{chosen[0][0].Label} bag")
+                for panel, _faces in chosen:
+                    _hide_sketch(panel)
 
         _begin(translate("New bag of panels"), BAG, take)
+
+
+class FromBody(Command):
+    """Makes the objects of a balloon that fills the selected solid or mesh, and opens their panel."""
+
+    drawing = "from_body"
+    menu_text = QT_TRANSLATE_NOOP("BalloonWorkbench_FromBody", "New balloon from body")
+    tool_tip = QT_TRANSLATE_NOOP(
+        "BalloonWorkbench_FromBody",
+        "Find the panels of a balloon that fills the selected solid or mesh",
+    )
+
+    def Activated(self):
+        from BalloonWorkbench.app.group import TARGET, name_group
+        from BalloonWorkbench.gui.window.selection import selected_body
+
+        body = selected_body() if App.ActiveDocument is not None else None
+
+        def take(parts):
+            if body is not None:
+                parts.outline.Solid = body
+                name_group(parts.balloon.getParentGroup(), f"{body.Label} balloon")
+
+        _begin(translate("New balloon from body"), TARGET, take)
+
+
+def _hide_sketch(source) -> None:
+    """A sketch is shown by what follows it."""
+    if source.isDerivedFrom("Sketcher::SketchObject"):
+        source.ViewObject.Visibility = False
 
 
 def _begin(title: str, kind: str, take) -> None:

@@ -68,6 +68,7 @@ class ExportPattern(PatternCommand):
     )
 
     def Activated(self):
+        from BalloonWorkbench.app.document.kinds import is_panel, is_pattern
         from BalloonWorkbench.app.document.parts import patterns
         from BalloonWorkbench.gui.panels import show
         from BalloonWorkbench.gui.panels.making.export import ExportPanel
@@ -76,7 +77,8 @@ class ExportPattern(PatternCommand):
         others = [obj for obj in doc.Objects if hasattr(getattr(obj, "Proxy", None), "cut_pattern")]
         chosen = [obj for obj in Gui.Selection.getSelection() if obj in others]
         chosen += [parts.pattern for parts in selected_parts()]
-        show(ExportPanel([*patterns(doc), *others], chosen[0] if chosen else None))
+        offered = [obj for obj in others if not (is_pattern(obj) or is_panel(obj)) or obj in chosen[:1]]
+        show(ExportPanel(list(dict.fromkeys([*patterns(doc), *offered])), chosen[0] if chosen else None))
 
 
 class AssemblySheet(ResultCommand):

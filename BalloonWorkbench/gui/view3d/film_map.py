@@ -8,12 +8,13 @@ from dataclasses import replace
 import numpy as np
 
 from BalloonWorkbench.app.border import status
-from BalloonWorkbench.app.document.kinds import is_outline
-from BalloonWorkbench.app.engine import film_result, maker
+from BalloonWorkbench.app.document.kinds import is_bag, is_outline
+from BalloonWorkbench.app.engine import bag_result, film_result, maker
 from BalloonWorkbench.app.properties.property_table import QT_TRANSLATE_NOOP
 from BalloonWorkbench.core.geometry.polyline import ring
 from BalloonWorkbench.core.results import colour_map
 from BalloonWorkbench.core.results.film_state import FilmState, State, film_state
+from BalloonWorkbench.core.results.off_target import off_target
 from BalloonWorkbench.core.results.result_files import Results, results
 from BalloonWorkbench.core.units import number_text, percent_text, to_mm
 from BalloonWorkbench.gui.qt import translate
@@ -31,6 +32,7 @@ _TITLES = {
     colour_map.THICKNESS: QT_TRANSLATE_NOOP("BalloonWorkbench", "Thickness of the balloon"),
     colour_map.STRAIN: QT_TRANSLATE_NOOP("BalloonWorkbench", "Largest strain"),
     colour_map.RESIDUAL: QT_TRANSLATE_NOOP("BalloonWorkbench", "Silhouette off the drawing"),
+    colour_map.DISTANCE: QT_TRANSLATE_NOOP("BalloonWorkbench", "Distance from profile or drawing"),
 }
 _COLOURS = 256  # of the scale, as a texture
 _LINE = 5.0  # px, of the silhouette
@@ -46,7 +48,7 @@ def choices_of(obj) -> list[str]:
     """Those of CHOICES that say something of a balloon object."""
     if not film_result.is_known(obj):
         return CHOICES
-    kinds = colour_map.kinds_of(film_result.stored(obj)[0])
+    kinds = colour_map.kinds_of(film_result.stored(obj)[0], compared=_is_compared(obj))
     return [choice for choice in CHOICES if choice == OFF or choice in kinds]
 
 
@@ -60,8 +62,10 @@ def map_nodes(obj, kind: str) -> list:
     if not film_result.is_known(obj):
         return []
     inflation, film = film_result.stored(obj)
-    if kind not in colour_map.kinds_of(inflation):
-        return []  # it says nothing of many panels
+    if kind not in colour_map.kinds_of(inflation, compared=_is_compared(obj)):
+        return []  # it says nothing of many panels, or of two
+    if kind == colour_map.DISTANCE:
+        return _distance_nodes(obj)
     skin, film_results = skin_from(inflation, film), results(inflation, film)
     missing = _missing(obj, film_results, kind)
     if missing:
@@ -164,6 +168,38 @@ def _residual_nodes(obj, inflation, skin) -> list:
     place, _, largest = deviations.largest
     label = label_node((*to_mm(place), 0.0), lengths_text(largest)[0])
     return [_film(SkinNodes(skin), [_matt(coin, _GREY)]), front, legend_node(obj, legend, TOP), label]
+
+
+def _is_compared(obj) -> bool:
+    """Its many panels were made for a profile or a drawing."""
+    return bag_result.has_many_panels(obj) and not is_bag(obj.Outline)
+
+
+def _distance_nodes(obj) -> list:
+    """The film by its distance from the profile or the drawing, and what that is in all."""
+    design, film = bag_result.stored(obj)
+    film_results = results(design.inflation, film, off_target(design))
+    drawn_map = colour_map.distance_map(film_results, design.residual)
+    factor, unit = user_unit(drawn_map.unit, drawn_map.top)
+    notes: tuple[str, ...] = ()
+    if design.residual is not None:
+        error = design.residual
+        texts = lengths_text(*(to_mm(part) for part in (error.mean, error.p95, error.max)))
+        shares = (percent_text(part / design.size) for part in (error.mean, error.p95, error.max))
+        lines = (
+            translate("in the mean {} ({})"),
+            translate("95 % below {} ({})"),
+            translate("at most {} ({})"),
+        )
+        notes = tuple(line.format(*both) for line, *both in zip(lines, texts, shares))
+    legend = Legend(
+        _title(obj, colour_map.DISTANCE, unit),
+        _ticks(drawn_map.top * factor),
+        notes=notes,
+        warnings=warnings_of(obj),
+    )
+    skin = SkinNodes(skin_from(design.inflation, film), drawn_map.shares)
+    return [_film(skin, _scale_nodes()), legend_node(obj, legend, TOP)]
 
 
 def _title(obj, kind: str, unit: str) -> str:

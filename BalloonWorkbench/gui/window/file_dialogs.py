@@ -10,6 +10,7 @@ from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 
 _PICTURES = ("png", "jpg", "jpeg", "bmp")
 _LINES = ("svg", "dxf", "json")
+_BODIES = ("stl", "obj", "ply", "3mf", "step", "stp", "brep", "brp", "iges", "igs")
 
 
 def ask_for_drawing(parent) -> str | None:
@@ -21,6 +22,11 @@ def ask_for_drawing(parent) -> str | None:
 def ask_for_lines(parent, *endings: str) -> str | None:
     """The path of a file of lines, SVG, DXF or JSON where no endings are given; None for none."""
     return _ask(parent, translate("Choose a drawing"), _kind(translate("Drawings"), endings or _LINES))
+
+
+def ask_for_body(parent) -> str | None:
+    """The path of a mesh or of a file with a solid; None where the user does not choose one."""
+    return _ask(parent, translate("Choose a body"), _kind(translate("Bodies"), _BODIES))
 
 
 def ask_for_picture(parent, *more: str) -> str | None:

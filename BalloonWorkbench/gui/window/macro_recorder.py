@@ -13,12 +13,17 @@ import FreeCADGui as Gui
 
 from BalloonWorkbench.app import api
 from BalloonWorkbench.app.document import create
-from BalloonWorkbench.app.document.kinds import is_bag, is_gored_body
+from BalloonWorkbench.app.document.kinds import is_bag, is_gored_body, is_target
 from BalloonWorkbench.app.group import OUTLINE
 from BalloonWorkbench.app.properties import preferences, values
 
 #: Properties of files, and what the Python API calls them.
-_FILES = {"Drawing": "drawing", "ProfileFile": "profile_file", "PanelFile": "panel_file"}
+_FILES = {
+    "Drawing": "drawing",
+    "ProfileFile": "profile_file",
+    "PanelFile": "panel_file",
+    "BodyFile": "body_file",
+}
 _drawings: dict[str, str] = {}  # where drawings came from, by their place in a document
 
 
@@ -97,6 +102,8 @@ class Edit:
             self._write_from_profile(changed)
         elif is_bag(outline):
             self._write_from_panels(changed)
+        elif is_target(outline):
+            self._write_from_body(changed)
         elif outline.Source:
             self._write_from_sketch(changed)
         elif outline.Drawing:
@@ -114,6 +121,11 @@ class Edit:
             call(
                 "from_panels", "App.ActiveDocument", sources[0], result=self.parts, name="balloon", **changed
             )
+
+    def _write_from_body(self, changed: dict[str, str]) -> None:
+        sources = [changed.pop(key) for key in ("solid", "body_file") if key in changed]
+        if sources:
+            call("from_body", "App.ActiveDocument", sources[0], result=self.parts, name="balloon", **changed)
 
     def _source_of(self, changed: dict[str, str]) -> list[str]:
         """The sketch, wire or face that is followed, as arguments."""

@@ -34,6 +34,16 @@ def selected_panels() -> list:
     return panels
 
 
+def selected_body():
+    """The first selected object with a body or a mesh; None without one."""
+    for picked in Gui.Selection.getSelectionEx():
+        obj = picked.Object
+        has_body = getattr(obj, "Shape", None) is not None or getattr(obj, "Mesh", None) is not None
+        if has_body and parts_of(obj) is None:
+            return obj
+    return None
+
+
 class SelectionWatch(Guarded):
     """Calls `changed` whenever the selection has changed, until removed."""
 

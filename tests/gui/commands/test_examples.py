@@ -22,9 +22,10 @@ def test_it_opens_from_the_menu(example):
     hands.wait(0.5)
     assert doc.FileName == ""
     assert doc.Label == example.title
-    for obj in doc.Objects:
-        obj.touch()
-    doc.recompute()
+    if example.name == "ring":  # tests/app/document/test_examples.py does so with all of them
+        for obj in doc.Objects:
+            obj.touch()
+        doc.recompute()
     assert [obj.Status for obj in (doc.Balloon.Outline, doc.Balloon, doc.Pattern)] == [status.READY] * 3
     image = hands.screenshot(f"example-{example.name}")
     left, right = image.width() // 4, image.width() - 40

@@ -7,13 +7,14 @@ import hands
 import pytest
 from PySide import QtSvg
 
-COMMANDS = ("FromPicture", "FromSketch", "FromProfile", "FromPanels", "Advice", "ColourMap", "Animate")
-COMMANDS += ("Artwork", "Nest", "ExportPattern", "AssemblySheet")
+COMMANDS = ("FromPicture", "FromSketch", "FromProfile", "FromBody", "FromPanels", "Advice", "ColourMap")
+COMMANDS += ("Animate", "Artwork", "Nest", "ExportPattern", "AssemblySheet")
 TEXTS = [
     "Paint a balloon",
     "New balloon from picture",
     "New balloon from sketch",
     "New body of gores",
+    "New balloon from body",
     "New bag of panels",
     "Advice",
     "Colour map",
@@ -59,6 +60,7 @@ def test_commands_are_offered_when_they_make_sense():
         "FromPicture": True,
         "FromSketch": False,
         "FromProfile": True,
+        "FromBody": True,
         "FromPanels": True,
         "Advice": False,
         "ColourMap": False,

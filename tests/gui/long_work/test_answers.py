@@ -7,6 +7,8 @@ import pytest
 from brush import close_window, open_window
 from heartbeat import Heartbeat
 
+pytestmark = pytest.mark.works_out
+
 
 @pytest.fixture
 def beat():

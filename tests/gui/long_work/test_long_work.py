@@ -14,9 +14,14 @@ import pytest
 from heartbeat import Heartbeat
 
 from BalloonWorkbench.app.border import hooks, status
+from BalloonWorkbench.app.engine import maker
+from BalloonWorkbench.core.checkpoint import checkpoint
 from BalloonWorkbench.core.errors import Cancelled, MeshError
 from BalloonWorkbench.gui.long_work import worker as worker_module
 from BalloonWorkbench.gui.long_work.worker import Worker
+from BalloonWorkbench.gui.panels.making.maker_rows import MakerRows
+
+pytestmark = pytest.mark.works_out
 
 OURS = Path(worker_module.__file__).parents[1]
 
@@ -163,3 +168,28 @@ def test_who_abandons_a_worker_hears_nothing_of_it(doc):
     assert told == []
     assert gc.isenabled()
     assert shown() is None
+
+
+def test_a_count_that_nobody_waits_for_any_more_ends(made, monkeypatch):
+    begun, over = [], []
+
+    def counting(_parts, exact):
+        def count():
+            begun.append(exact)
+            try:
+                while True:
+                    checkpoint()
+                    time.sleep(0.01)
+            finally:
+                over.append(exact)
+
+        return count
+
+    monkeypatch.setattr(maker, "counting", counting)
+    page = hands.QtWidgets.QWidget()
+    rows = MakerRows(hands.QtWidgets.QFormLayout(page))
+    for turn in (1, 2):
+        rows.show(made)
+        hands.wait_until(lambda turn=turn: len(begun) == turn and len(over) == turn - 1, 10)
+    rows.release()
+    hands.wait_until(lambda: len(over) == 2, 10)

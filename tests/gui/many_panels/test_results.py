@@ -1,10 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Results of balloons of many panels in the window: colours with a legend, the inflation, what is printed."""
 
+import math
+
+import FreeCAD as App
 import FreeCADGui as Gui
 import hands
 import numpy as np
+import Part
 import pytest
+import sketches
 from drawn_pictures import png
 from pivy import coin
 
@@ -63,6 +68,27 @@ def test_colours_and_their_legend(cube):
         assert nodes(view.RootNode, coin.SoIndexedFaceSet)
     view.ColourMap = "Thickness"  # by a macro: nothing to be shown, and nothing breaks
     hands.wait(0.2)
+    hands.press("Cancel")
+    hands.wait_until(hands.panel_is_closed)
+
+
+def test_how_far_gores_are_from_their_profile(doc):
+    arc = Part.ArcOfCircle(
+        Part.Circle(App.Vector(), App.Vector(0, 0, 1), 100.0), -0.5 * math.pi, 0.5 * math.pi
+    )
+    made = BalloonWorkbench.from_profile(doc, sketches.sketch(doc, arc, name="Half"), gores=6, mesh_size=25)
+    view = made.balloon.ViewObject
+    run("ColourMap", made.balloon)
+    choice = hands.find("ColourMap")
+    offered = [choice.itemData(k) for k in range(choice.count())]
+    assert offered[-1] == "Distance" and "Residual" not in offered
+    Gui.ActiveDocument.ActiveView.viewIsometric()
+    Gui.ActiveDocument.ActiveView.fitAll()
+    choice.setCurrentIndex(offered.index("Distance"))
+    hands.wait(0.2)
+    assert view.ColourMap == "Distance"
+    assert nodes(view.RootNode, coin.SoTexture2)
+    hands.screenshot("ball-distance")
     hands.press("Cancel")
     hands.wait_until(hands.panel_is_closed)
 

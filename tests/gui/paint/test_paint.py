@@ -206,6 +206,7 @@ def arm_width(window):
     return rows[-1] - rows[0] + 1
 
 
+@pytest.mark.works_out
 def test_making_is_stopped_and_the_painting_stays(window):
     press(f"PaintColour{RED}")
     draw(window.canvas, ellipse(0.5, 0.5, 0.35, 0.2))

@@ -121,6 +121,7 @@ def test_what_leaves_the_outline_alone_leaves_the_balloon_alone(window, change):
     assert (pixels(kept) == pixels(window.painting.image)).all()
 
 
+@pytest.mark.works_out
 def test_an_inner_line_that_touches_the_rim_shows_no_draft(window):
     oval(window)
     shown, before = window.live.latest, view_picture(window)
@@ -145,6 +146,7 @@ def test_the_document_gets_the_new_painting(doc, window):
     assert not [text for text in doc.Balloon.Warnings if "pen drawing" in text]
 
 
+@pytest.mark.works_out
 def test_a_known_shape_comes_back_at_once(window):
     oval(window)
     first = window.live.latest
@@ -167,6 +169,7 @@ def test_a_known_shape_comes_back_at_once(window):
         watch.until_settled()
 
 
+@pytest.mark.works_out
 def test_a_draft_is_said_to_be_one_and_is_near(window):
     watch = Watch(window)
     press(f"PaintColour{BLUE}")
@@ -187,6 +190,7 @@ def test_a_draft_is_said_to_be_one_and_is_near(window):
     assert not window.form.numbers.text().startswith("about")
 
 
+@pytest.mark.works_out
 def test_the_film_moves_from_the_draft_to_the_fitted_balloon(window):
     """It begins where the draft was: nothing of it is farther away than a few millimetres."""
     watch = Watch(window)
@@ -203,6 +207,7 @@ def test_the_film_moves_from_the_draft_to_the_fitted_balloon(window):
     hands.wait_until(lambda: not window.scene.is_moving(), 10)
 
 
+@pytest.mark.works_out
 def test_a_cleared_sheet_says_what_to_do_first(window):
     left, right = arc(0.3, 0.5, 0.18, 3, 357), arc(0.75, 0.5, 0.15, 178, -178)
     arm = [(0.46, 0.496), (0.60, 0.496)]

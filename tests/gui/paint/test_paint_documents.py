@@ -105,6 +105,7 @@ def test_one_that_was_closed_by_hand_stays_closed(doc):
     assert len(first.painting.steps) == 1
 
 
+@pytest.mark.works_out
 def test_a_new_document_while_the_balloon_is_being_made(doc):
     window = open_window()
     window.live.settings = Settings(mesh_size=0.008)  # takes longer than a new document

@@ -38,6 +38,8 @@ sys.path.append(str(Path(__file__).resolve().parents[3] / "tools"))
 
 import fish_painting as fish
 
+pytestmark = pytest.mark.works_out
+
 
 @pytest.fixture
 def window(doc):

@@ -12,6 +12,8 @@ from player import Player
 
 from BalloonWorkbench.gui.paint.painting.painted import SIDE
 
+pytestmark = pytest.mark.works_out
+
 Qt = hands.QtCore.Qt
 _BUSY = 0.08  # s that the window is deaf at a time, as by a picture that it draws
 

@@ -10,6 +10,8 @@ from BalloonWorkbench.core.arcs import fit_arcs
 from BalloonWorkbench.core.design import fairing
 from BalloonWorkbench.gui.paint.preview import requests
 
+pytestmark = pytest.mark.works_out
+
 _LONG = 45.0  # s
 
 

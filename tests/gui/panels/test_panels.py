@@ -128,6 +128,7 @@ def _labels():
     return [label.text() for label in hands.visible(hands.QtWidgets.QLabel)]
 
 
+@pytest.mark.works_out
 def test_newest_value_wins_while_the_solver_runs(made):
     open_panel(made.balloon)
     hands.type_into(hands.find("MeshSize"), "2.5 mm")

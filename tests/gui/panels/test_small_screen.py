@@ -95,6 +95,23 @@ def test_panels_of_many_panels(small, speak, doc, language, command, entry):
     assert not told, "\n".join(told)
 
 
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_panel_of_a_body(small, speak, doc, language):
+    """Without one, and with one that has the most to say: a ball, whose face is curved both ways."""
+    speak(language)
+    ball = doc.addObject("Part::Sphere", "Ball")
+    doc.recompute()
+    Gui.runCommand("BalloonWorkbench_FromBody")
+    hands.wait_until(hands.panel_is_seen)
+    doc.Balloon.Live = False
+    told = look(f"FromBody-empty-{language}")
+    Gui.Selection.addSelection(ball)
+    hands.wait_until(lambda: hands.find("BodyNotes").text())
+    told += look(f"FromBody-{language}")
+    hands.press("Cancel")
+    assert not told, "\n".join(told)
+
+
 @pytest.fixture
 def tiny_bed():
     """The machine of the export panel has one: its panel has the most to say then."""

@@ -20,6 +20,8 @@ from BalloonWorkbench.core.solver import backend
 from BalloonWorkbench.core.solver.native import library, load, native_wheel
 from BalloonWorkbench.gui.window import native_offer
 
+pytestmark = pytest.mark.works_out
+
 QtWidgets = hands.QtWidgets
 BUILT = load._FOLDER / library.file_name()
 

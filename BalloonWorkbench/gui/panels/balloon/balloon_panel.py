@@ -17,7 +17,7 @@ import FreeCADGui as Gui
 from BalloonWorkbench.app import balloon as balloon_object
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document import create
-from BalloonWorkbench.app.document.kinds import is_bag, is_gored_body, leader
+from BalloonWorkbench.app.document.kinds import is_bag, is_gored_body, is_target, leader
 from BalloonWorkbench.app.document.parts import Parts, companions
 from BalloonWorkbench.app.engine.solve import Request
 from BalloonWorkbench.app.group import name_group
@@ -34,6 +34,7 @@ from BalloonWorkbench.gui.panels.balloon.simulation_box import SimulationBox
 from BalloonWorkbench.gui.panels.balloon.sketch_box import SketchBox
 from BalloonWorkbench.gui.panels.bodies.bag_box import BagBox
 from BalloonWorkbench.gui.panels.bodies.gored_box import GoredBox
+from BalloonWorkbench.gui.panels.bodies.target_box import TargetBox
 from BalloonWorkbench.gui.panels.widgets.pages import Pages
 from BalloonWorkbench.gui.panels.widgets.watch import Watch
 from BalloonWorkbench.gui.qt import QtCore, drawn_icon, translate
@@ -46,6 +47,7 @@ _SOURCES = {
     FileBox: QT_TRANSLATE_NOOP("BalloonWorkbench", "Outline"),
     SketchBox: QT_TRANSLATE_NOOP("BalloonWorkbench", "Outline"),
     GoredBox: QT_TRANSLATE_NOOP("BalloonWorkbench", "Profile"),
+    TargetBox: QT_TRANSLATE_NOOP("BalloonWorkbench", "Body"),
     BagBox: QT_TRANSLATE_NOOP("BalloonWorkbench", "Panels"),
 }
 _REST = 400  # ms without an edit, then a live balloon follows
@@ -346,6 +348,8 @@ def _page_of(outline, sketch: bool) -> type:
         return GoredBox
     if is_bag(outline):
         return BagBox
+    if is_target(outline):
+        return TargetBox
     return SketchBox if sketch or outline.Source else FileBox
 
 

@@ -6,6 +6,7 @@ from __future__ import annotations
 import FreeCADGui as Gui
 
 from BalloonWorkbench.app.border import status
+from BalloonWorkbench.app.engine.bag_result import has_many_panels
 from BalloonWorkbench.app.pattern import PROPERTIES, choose_kind
 from BalloonWorkbench.app.shapes.pattern_shape import PLACE
 from BalloonWorkbench.core.errors import BalloonError
@@ -64,7 +65,7 @@ class PatternBox(PropertyPage):
         self.note.setVisible(bool(pattern.HowToFill))
         self.advice.setText("\n".join(translated(text) for text in pattern.Warnings))
         self.advice.setVisible(bool(pattern.Warnings))
-        self.drag.setVisible(pattern.Intake)
+        self.drag.setVisible(pattern.Intake and not has_many_panels(pattern.Balloon))
         self.drag.setEnabled(bool(pattern.Roles))
         self.sketch.setEnabled(status.is_ready(pattern))
         if self.handle is not None:

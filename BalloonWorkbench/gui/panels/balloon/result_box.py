@@ -6,10 +6,10 @@ from __future__ import annotations
 import FreeCADGui as Gui
 import numpy as np
 
-from BalloonWorkbench.app import bag, gored_body
+from BalloonWorkbench.app import bag, gored_body, target
 from BalloonWorkbench.app.balloon import VOLUME
 from BalloonWorkbench.app.border import status
-from BalloonWorkbench.app.document.kinds import is_bag, is_gored_body
+from BalloonWorkbench.app.document.kinds import is_bag, is_gored_body, is_target
 from BalloonWorkbench.app.properties.quantities import cubic_millimetres, pascals
 from BalloonWorkbench.core.units import from_grams, mass_text, percent_text, to_mm
 from BalloonWorkbench.gui.panels.making.maker_rows import MakerRows, value_label
@@ -193,13 +193,16 @@ def has_source(outline) -> bool:
         return gored_body.has_profile(outline)
     if is_bag(outline):
         return bag.has_panels(outline)
+    if is_target(outline):
+        return target.has_body(outline)
     return bool(outline.Source or outline.Drawing)
 
 
 def file_of(outline) -> str:
     """The file that it comes from; empty where it is none."""
-    names = (name for name in ("Drawing", "ProfileFile", "PanelFile") if hasattr(outline, name))
-    return "" if getattr(outline, "Source", None) else getattr(outline, next(names))
+    names = (name for name in ("Drawing", "ProfileFile", "PanelFile", "BodyFile") if hasattr(outline, name))
+    followed = getattr(outline, "Source", None) or getattr(outline, "Solid", None)
+    return "" if followed else getattr(outline, next(names))
 
 
 def measures(balloon, pattern) -> list[tuple[str, str]]:
@@ -226,6 +229,8 @@ def _off(balloon, text: str) -> list[tuple[str, str]]:
     """How far it is off what was wanted, and its seams off the centres of its gores."""
     if is_bag(balloon.Outline):
         return []
+    if is_target(balloon.Outline):
+        return [(translate("Off the body"), text), (translate("Panels"), str(balloon.PanelCount))]
     if not is_gored_body(balloon.Outline):
         return [(translate("Off the drawing"), text)]
     apart = length_text(balloon.Apart.Value)

@@ -6,7 +6,7 @@ from __future__ import annotations
 import FreeCADGui as Gui
 
 from BalloonWorkbench.app.border import status
-from BalloonWorkbench.app.document.kinds import leader
+from BalloonWorkbench.app.document.kinds import is_panel, leader
 from BalloonWorkbench.app.document.parts import parts_of
 from BalloonWorkbench.app.engine import bed
 from BalloonWorkbench.app.engine.cut_sheet import patterns_in
@@ -141,5 +141,5 @@ def _size(pattern) -> str:
 
 def _name(pattern) -> str:
     """The pattern with the group it is in: several balloons have patterns of the same name."""
-    group = pattern.getParentGroup()
+    group = (pattern.Pattern if is_panel(pattern) else pattern).getParentGroup()
     return f"{group.Label}: {pattern.Label}" if group else pattern.Label

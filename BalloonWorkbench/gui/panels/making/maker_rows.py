@@ -9,6 +9,7 @@ from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.engine import maker
 from BalloonWorkbench.app.properties import film
 from BalloonWorkbench.app.properties.quantities import cubic_millimetres
+from BalloonWorkbench.core.checkpoint import stoppable
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.making.safety import WELD
 from BalloonWorkbench.core.units import area_text, mass_text, money_text, number_text, to_mm
@@ -31,7 +32,7 @@ class MakerRows:
 
     def show(self, parts) -> None:
         """What it takes and whether it floats; nothing while something is not up to date."""
-        self._worker = None
+        self._leave()
         if not all(status.is_ready(obj) for obj in (parts.balloon, parts.pattern)):
             return
         try:
@@ -45,7 +46,14 @@ class MakerRows:
 
     def release(self) -> None:
         """The panel closes."""
-        self._worker = self._form = None
+        self._leave()
+        self._form = None
+
+    def _leave(self) -> None:
+        """Nobody waits for the last count any more: it ends at its next step."""
+        if self._worker is not None:
+            self._worker.stop()
+        self._worker = None
 
     def _counted(self, worker: Worker) -> None:
         worker.deleteLater()
@@ -67,7 +75,8 @@ class _Counting:
         self._count = count
 
     def solve(self, progress):
-        return self._count()
+        with stoppable(progress):
+            return self._count()
 
 
 def value_label(text: str):

@@ -250,7 +250,7 @@ class PropertyForm(NarrowForm):
     def show_row(self, name: str, visible: bool) -> None:
         """Show a row or hide it."""
         for widget in self._rows[name]:
-            widget.setVisible(visible)
+            self.show_widget(widget, visible)
 
 
 class PropertyPage(QtWidgets.QWidget):

@@ -9,22 +9,24 @@ from BalloonWorkbench.gui.window.selection import SelectionWatch, selected_sourc
 
 
 class SourceRow(QtWidgets.QWidget):
-    """Takes what the user selects as the Source of an object: `picked` follows.
+    """Takes what the user selects as the source of an object: `picked` follows.
 
-    empty  what it asks for while there is none
+    empty     what it asks for while there is none
+    prop      the property that links the source
+    selected  what the property would be for the present selection; None for nothing that fits
     """
 
     picked = QtCore.Signal()
 
-    def __init__(self, obj, empty: str):
+    def __init__(self, obj, empty: str, prop: str = "Source", selected=selected_source):
         super().__init__()
-        self._obj, self._empty = obj, empty
+        self._obj, self._empty, self._prop, self._chosen = obj, empty, prop, selected
         self.source = WrappedLabel()
         self.source.setObjectName("Source")
         self.pick = QtWidgets.QPushButton(translate("Select another"))
         self.pick.setObjectName("Pick")
         self.pick.setCheckable(True)
-        self.pick.setChecked(not obj.Source)
+        self.pick.setChecked(not getattr(obj, prop))
         self.pick.setToolTip(translate("While this is pressed, what you select becomes the source"))
         column = QtWidgets.QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
@@ -35,19 +37,17 @@ class SourceRow(QtWidgets.QWidget):
 
     def refresh(self, _checked: bool = False) -> None:
         """Show what it is."""
-        if self._obj.Source:
-            source, elements = self._obj.Source
-            self.source.setText(" ".join([source.Label, *elements]))
-        else:
-            self.source.setText(self._empty)
+        linked = getattr(self._obj, self._prop)
+        source, elements = linked if isinstance(linked, tuple) else (linked, ())
+        self.source.setText(" ".join([source.Label, *elements]) if source else self._empty)
 
     def release(self) -> None:
         """The panel closes."""
         self._selection.remove()
 
     def _selected(self) -> None:
-        selected = selected_source() if self.pick.isChecked() else None
+        selected = self._chosen() if self.pick.isChecked() else None
         if selected is not None:
-            self._obj.Source = selected
+            setattr(self._obj, self._prop, selected)
             self.pick.setChecked(False)
             self.picked.emit()

@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
+from BalloonWorkbench.app.document.kinds import is_panel
 from BalloonWorkbench.app.properties import preferences
 from BalloonWorkbench.core.files.write import safe_name
 from BalloonWorkbench.gui.panels.widgets.narrow import ElidedLabel
@@ -117,8 +118,10 @@ class TargetFile(QtWidgets.QWidget):
 def name_of(obj) -> str:
     """What files about an object are called, without ending: as its balloon in the tree, else as itself.
 
-    A balloon that nobody has named is called as its document.
+    A balloon that nobody has named is called as its document; a panel by its own name too.
     """
+    if is_panel(obj) and obj.Pattern is not None:
+        return safe_name(f"{name_of(obj.Pattern)} {obj.Label}")
     group, document = obj.getParentGroup(), obj.Document.FileName
     label = (group or obj).Label
     unnamed = label.rstrip("0123456789 ") in ("Balloon", translate("Painted balloon"))
