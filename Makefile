@@ -79,7 +79,7 @@ fuzz: native readers ## Inflate 2 000 outlines and 300 bags, read 10 000 broken 
 	    BALLOON_WORD_SIZES="3mm 30mm 5m 30m" BALLOON_WORD_SHAPES="star fish heart" \
 	    $(PYTHON) -m pytest -q -o faulthandler_timeout=0 --log-cli-level=INFO \
 	    tests/core/outline/test_random_outlines.py tests/core/readers/test_broken_files.py tests/core/test_value_limits.py \
-	    tests/core/files/test_interrupted_writing.py tests/core/machines/test_export_cuts.py tests/core/advice/test_coach_shapes.py \
+	    tests/core/files/test_interrupted_writing.py tests/core/machines/test_export_cuts.py tests/core/advice/test_coach_shapes.py tests/core/advice/test_coach_study.py \
 	    tests/core/pattern/intake/test_intake_places.py tests/core/results/test_layers.py tests/core/design/test_draft.py tests/core/test_words.py tests/core/mesh/test_mesh_delaunay.py \
 	    tests/core/bags/test_random_bags.py
 	@BALLOON_ARRANGE_STORIES=200 BALLOON_TESTS="tests/app/document/test_arrange.py -k story" tools/test.sh app

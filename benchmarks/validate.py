@@ -21,6 +21,7 @@ from validation import (
     panels,
     plates,
     strength,
+    targets,
     trade,
     welds,
 )
@@ -40,6 +41,7 @@ def main() -> int:
         panels.panels,
         bags.bags,
         gores.gores,
+        targets.targets,
         plates.hencky,
         plates.bending,
         plates.wrinkled_beam,

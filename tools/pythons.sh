@@ -24,6 +24,8 @@ python_of() {
     return 1
 }
 
+# the other processor has work of its own
+export OPENBLAS_NUM_THREADS=1
 result=0
 mkdir -p build/logs
 for version in "${versions[@]}"; do

@@ -22,25 +22,18 @@ def gores() -> Section:
     """Spheres of few and many gores, other bodies of eight, a model airship, the natural shape."""
     lines = [_line("sphere", count) for count in (4, 6, 8, 12, 16, 24)]
     lines += [_line(name, 8) for name in PROFILES if name != "sphere"]
-    head = (
-        "body",
-        "gores",
-        "plain %",
-        "corrected %",
-        "by the law %",
-        "seam over middle %",
-        "simulations",
-        "s",
-    )
+    head = ("body", "gores", "plain %", "corrected %", "95 % below, %", "largest %", "n² x corrected %")
     return section(
         "Bodies of gores",
-        "Mean distance of the film of the gores from the body of revolution, in parts of the diagonal of its"
-        " box, before and after the correction, of the pattern meshed anew; times the square of the number of"
-        " gores, which for spheres is to be 16 % at most; and the law by which the program proposes their"
-        " number. Polyester film of 25 µm at 1 kPa. At an end with a disc the seam counts, too, which the"
-        " bulging disc draws in. A lens half as thick as wide is no shape that film can take.",
+        "Distance of the film of the gores from the body of revolution, in parts of the diagonal of its box:"
+        " mean before and after the correction, of the pattern meshed anew; the part that 95 % of the film do"
+        " not exceed, and the largest; the mean times the square of the number of gores, which for spheres is"
+        " to be 16 % at most; and the law by which the program proposes their number. Polyester film of 25 µm"
+        " at 1 kPa. Beside a disc the gores are flared, so that its bulge does not draw the rim in; their"
+        " corners fold there, which is the largest distance. A lens half as thick as wide is no shape that"
+        " film can take.",
         [*_airship(), _natural()],
-        table((*head, "simulations", "s"), lines),
+        table((*head, "by the law %", "seam over middle %", "simulations", "s"), lines),
     )
 
 
@@ -56,7 +49,9 @@ def _line(name: str, count: int) -> tuple[str, ...]:
     design = fit_gores(profile, count, mylar, _PRESSURE)
     seconds = time.process_time() - began
     error, law = _error(design), expected_error(profile, count)
-    shares = (_error(plain), error, count**2 * error, law, design.apart / design.size)
+    assert design.residual is not None
+    most, largest = design.residual.p95 / design.size, design.residual.max / design.size
+    shares = (_error(plain), error, most, largest, count**2 * error, law, design.apart / design.size)
     return (
         name,
         str(count),

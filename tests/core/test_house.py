@@ -38,7 +38,8 @@ QT = {"PySide", "PySide2", "PySide6", "PyQt5", "PyQt6", "shiboken2", "shiboken6"
 
 #: The rooms of the core in the order of the data; a room uses only those before it.
 ROOMS = ["geometry", "files", "options", "pages", "language", "arcs", "outline", "tracing", "readers", "film"]
-ROOMS += ["panels", "mesh", "bags", "bodies", "solver", "design", "correction", "bag_design", "results"]
+ROOMS += ["panels", "mesh", "bags", "bodies", "targets", "segmentation", "flattening"]
+ROOMS += ["solver", "design", "correction", "bag_design", "target_design", "results"]
 ROOMS += ["pattern", "bag_pattern", "nesting", "making"]
 ROOMS += ["machines", "pictures", "artwork", "assembly_sheet", "advice", "reports"]
 
@@ -61,6 +62,12 @@ def _own_files() -> list[Path]:
     return found
 
 
+@cache
+def tree(path: Path) -> ast.Module:
+    """What a file says, read once for all tests: not to be changed."""
+    return ast.parse(path.read_text(encoding="utf-8"))
+
+
 def layer(*parts: str) -> list[Path]:
     return sorted(PACKAGE.joinpath(*parts).rglob("*.py"))
 
@@ -69,14 +76,17 @@ def named(path: Path) -> str:
     return str(path.relative_to(ROOT))
 
 
-def imports(path: Path) -> Iterator[str]:
+@cache
+def imports(path: Path) -> list[str]:
     """Every module that a file imports, wherever in the file, with the names taken from it."""
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+    modules = []
+    for node in ast.walk(tree(path)):
         if isinstance(node, ast.Import):
-            yield from (alias.name for alias in node.names)
+            modules += [alias.name for alias in node.names]
         elif isinstance(node, ast.ImportFrom):
             assert node.level == 0, f"{named(path)}:{node.lineno} imports relatively: write the full name"
-            yield from (f"{node.module}.{alias.name}" for alias in node.names)
+            modules += [f"{node.module}.{alias.name}" for alias in node.names]
+    return modules
 
 
 def taken_from(path: Path, *forbidden: str) -> list[str]:
@@ -215,7 +225,7 @@ def test_functions_can_be_read_at_once() -> None:
     functions = [
         (path, node)
         for path in sources(".py")
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        for node in ast.walk(tree(path))
         if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef))
     ]
     long = [
@@ -228,13 +238,12 @@ def test_functions_can_be_read_at_once() -> None:
 
 def _private(path: Path) -> Iterator[str]:
     """Names with an underscore that a file takes out of modules of the core."""
-    tree = ast.parse(path.read_text(encoding="utf-8"))
     modules = set()
-    for node in ast.walk(tree):
+    for node in ast.walk(tree(path)):
         if isinstance(node, ast.ImportFrom) and str(node.module).startswith("BalloonWorkbench.core"):
             modules |= {alias.asname or alias.name for alias in node.names}
             yield from (alias.name for alias in node.names if alias.name.startswith("_"))
-    for node in ast.walk(tree):
+    for node in ast.walk(tree(path)):
         taken = node.value if isinstance(node, ast.Attribute) else None
         if isinstance(taken, ast.Name) and taken.id in modules and re.match(r"_[^_]", node.attr):
             yield f"{taken.id}.{node.attr}"
@@ -263,7 +272,7 @@ def test_a_room_says_what_lives_in_it() -> None:
     """Its first sentence says what does, and mostly what does not."""
     silent = []
     for folder in rooms():
-        text = ast.get_docstring(ast.parse((folder / "__init__.py").read_text(encoding="utf-8"))) or ""
+        text = ast.get_docstring(tree(folder / "__init__.py")) or ""
         if len(text.partition(".")[0].split()) < 3:
             silent.append(named(folder))
     assert not silent
@@ -290,10 +299,7 @@ def test_every_module_is_used() -> None:
 
 def test_no_class_name_twice() -> None:
     names = Counter(
-        node.name
-        for path in layer()
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
-        if isinstance(node, ast.ClassDef)
+        node.name for path in layer() for node in ast.walk(tree(path)) if isinstance(node, ast.ClassDef)
     )
     assert not {name for name, count in names.items() if count > 1}
 
@@ -318,7 +324,7 @@ _BROAD = re.compile(r"\b((Base)?Exception|UNFORESEEN)\b")
 
 def _broad(path: Path) -> Iterator[str]:
     """Where a file catches whatever comes, unless it only tidies up and raises again."""
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+    for node in ast.walk(tree(path)):
         caught = []
         if isinstance(node, ast.ExceptHandler) and ast.unparse(node.body[-1]) != "raise":
             caught = [ast.unparse(node.type) if node.type else "Exception"]

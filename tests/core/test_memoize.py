@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 import pytest
-from test_house import layer, named
+from test_house import layer, named, tree
 
 from BalloonWorkbench.core.arcs import fit_arcs as arcs
 from BalloonWorkbench.core.arcs.fit_arcs import fit_curve
@@ -106,7 +106,7 @@ def test_there_is_no_other_memory() -> None:
     bounded = [
         f"{named(path)}: {node.name}"
         for path in layer()
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        for node in ast.walk(tree(path))
         if isinstance(node, ast.FunctionDef)
         for decorator in node.decorator_list
         if re.search(r"lru_cache\((?!maxsize=1\))", ast.unparse(decorator))

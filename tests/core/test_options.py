@@ -14,6 +14,7 @@ from dataclasses import fields
 from pathlib import Path
 
 import pytest
+from test_house import tree
 
 from BalloonWorkbench.cli.options import help_text, parser, typed
 from BalloonWorkbench.core.artwork.marks import BLEED
@@ -159,10 +160,9 @@ def test_what_is_typed_is_what_the_engine_gets() -> None:
 
 def naming(path: Path, names: set[str]) -> Iterator[str]:
     """Where a file names an option for another reason than to use its value."""
-    tree = ast.parse(path.read_text(encoding="utf-8"))
-    told = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
+    told = {id(node.value) for node in ast.walk(tree(path)) if isinstance(node, ast.Expr)}
     whole = re.compile(rf"(?<![\w-])({'|'.join(map(re.escape, names))})(?![\w])")
-    for node in ast.walk(tree):
+    for node in ast.walk(tree(path)):
         text = isinstance(node, ast.Constant) and isinstance(node.value, str) and id(node) not in told
         if (
             (text and whole.search(str(node.value)))  # type: ignore[attr-defined]

@@ -33,6 +33,8 @@ FILM = film("mylar")
 COUNT = int(os.environ.get("BALLOON_COACHED", "1"))
 #: Each pair of a number of holes, of arms, with and without a neck and a notch, in as few shapes.
 PAIRS = [(holes, arms, (holes + arms // 2) % 2 == 0, holes % 4 < 2) for holes in range(5) for arms in (0, 2)]
+#: Each feature once with and once without; the pairs with `make fuzz`.
+FEATURES = PAIRS if COUNT > 10 else [pair for pair in PAIRS if pair[:2] in ((0, 0), (1, 2), (2, 2), (4, 0))]
 ALL = list(product(range(5), range(3), (False, True), (False, True)))
 TURN = np.linspace(0.0, 2.0 * np.pi, 120, endpoint=False)
 
@@ -108,8 +110,8 @@ def coached(outline: Outline, fitted: bool) -> None:
     sound(after, advise(after, FILM, fitted=fitted))
 
 
-@pytest.mark.parametrize("features", PAIRS)
-def test_every_pair_of_features_has_an_answer(features: tuple[int, int, bool, bool]) -> None:
+@pytest.mark.parametrize("features", FEATURES)
+def test_features_beside_each_other_have_an_answer(features: tuple[int, int, bool, bool]) -> None:
     coached(combined(*features), fitted=features[2])
 
 

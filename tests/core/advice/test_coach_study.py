@@ -1,8 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the coach says before the design, against the simulation; `make validation` does 240 shapes."""
+"""What the coach says before the design, against the simulation; `make validation` does 240 shapes.
+
+BALLOON_COACHED above 10 (`make fuzz`) tries all rings.
+"""
 
 from __future__ import annotations
 
+import os
 import re
 
 import numpy as np
@@ -32,6 +36,8 @@ RINGS = {
     "two holes": Outline(FLATTER, (hole(0.03, 0.075, 0.0), hole(0.03, -0.075, 0.0))),
     "square ring": Outline(square(0.15).outer, (oriented(square(0.075).outer, False),)),
 }
+FEW = ("small hole in the middle", "small hole off the middle", "ring", "narrow ring")
+TRIED = RINGS if int(os.environ.get("BALLOON_COACHED", "1")) > 10 else FEW
 
 
 def test_findings_hold_in_the_simulation() -> None:
@@ -52,7 +58,7 @@ def test_findings_hold_in_the_simulation() -> None:
         assert score.precision > 0.75, (rule, score.stray)
 
 
-@pytest.mark.parametrize("name", RINGS)
+@pytest.mark.parametrize("name", TRIED)
 def test_a_ring_warps_as_its_simulation_does(name: str) -> None:
     """Neither the hole's size nor the ring's width alone tells; the height is right within a factor 1.5."""
     ring = RINGS[name]

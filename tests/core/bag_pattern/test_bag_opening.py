@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -27,6 +28,7 @@ FILM = film("bopp-foil")
 HOLE = next(number for number, seam in enumerate(BAGS["ring"].seams, 1) if seam.a.loop)
 
 
+@cache
 def made(name: str, opening: str, **options: Any) -> BagPatterns:
     return bag_patterns(BAGS[name], FILM, PatternOptions(opening=opening, **options))
 

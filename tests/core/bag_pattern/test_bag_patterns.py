@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -28,6 +29,7 @@ FILM = film("bopp-foil")
 SEAL, ALLOWANCE = FILM.seal_width, PatternOptions.allowance
 
 
+@cache
 def made(name: str, **options: Any) -> BagPatterns:
     return bag_patterns(BAGS[name], FILM, PatternOptions(**options))
 

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from cold_balloons import laid_on, worse_balloon
 from drawn_letters import letter_outline
-from drawn_shapes import doughnut, ring, snail, spiral
+from drawn_shapes import ring, snail, spiral
 
 from BalloonWorkbench.core.correction.fit import fit
 from BalloonWorkbench.core.design.compare import residual
@@ -20,7 +20,6 @@ from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.film.library import film
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.tracing.picture import read_picture
 from BalloonWorkbench.core.types import Floats
 
 PICTURES = Path(__file__).parents[3] / "resources" / "examples" / "pictures"
@@ -28,11 +27,8 @@ MYLAR = film("mylar")
 PRESSURE = 2000.0
 
 DRAWINGS = {
-    "fish": lambda: read_picture(PICTURES / "fish.png", 0.3, None),
     "sans O": lambda: letter_outline("sans bold", "O"),
-    "serif G": lambda: letter_outline("serif bold", "G"),
     "ring 0.4": lambda: ring(0.4),
-    "doughnut": doughnut,
     "spiral": spiral,
 }
 
@@ -73,15 +69,13 @@ def waved(outline: Outline, share: float) -> Outline:
 
 
 def test_accidents_do_not_decide() -> None:
-    """Another 0.1 % of the drawing, another first point, coarser and finer meshes: the same balloon."""
+    """Another 0.1 % of the drawing, another first point, a coarser mesh: the same balloon."""
     drawing = letter_outline("sans bold", "S")
     usual = designed(drawing)
     error = made(usual)
     others = [
-        designed(waved(drawing, 1e-3)),
-        designed(drawing.map(lambda loop: np.roll(loop, 7, axis=0))),
+        designed(waved(drawing, 1e-3).map(lambda loop: np.roll(loop, 7, axis=0))),
         designed(drawing, 800),
-        designed(drawing, 3000),
     ]
     for other in others:
         assert made(other) == pytest.approx(error, abs=5e-4)

@@ -38,8 +38,9 @@ def test_there_are_eleven_pictures() -> None:
     assert len(NAMES) == 11
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", ["butterfly", "fish", "line-dog", "star"])
 def test_pictures_inflate_to_the_drawing(name: str) -> None:
+    """All of them: benchmarks/validation/correction.py."""
     drawing = read_picture(PICTURES / f"{name}.png", 0.3, None)
     design = fit(drawing, film("mylar"), 2000.0)
     size = max(drawing.size)

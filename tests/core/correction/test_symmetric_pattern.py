@@ -117,8 +117,7 @@ def test_the_coarse_start_of_large_designs_stays_symmetric() -> None:
     assert away(design.pattern, Mirror(np.zeros(2), 0.5 * np.pi, 0.0)) < 1e-12
 
 
-@pytest.mark.parametrize("count", [2, 5, 12])
-@pytest.mark.parametrize("mirrored", [True, False])
+@pytest.mark.parametrize(("count", "mirrored"), [(2, False), (5, True), (12, False)])
 def test_what_is_the_same_all_round_stays_so(count: int, mirrored: bool) -> None:
     """Polygons, and wheels of teeth that lean to one side."""
     angles = 2.0 * np.pi * np.arange(2 * count) / (2 * count) + 0.3

@@ -8,6 +8,7 @@ from functools import cache
 from pathlib import Path
 
 import pytest
+from test_house import tree
 
 PACKAGE = Path(__file__).resolve().parents[3] / "BalloonWorkbench"
 
@@ -53,7 +54,7 @@ ALLOWED = {
 @cache
 def _written(path: Path) -> str:
     """A file without comments and in one way of writing; texts of two lines are one."""
-    return ast.unparse(ast.parse(path.read_text(encoding="utf-8")))
+    return ast.unparse(tree(path))
 
 
 def copies(text: str) -> Counter[str]:

@@ -12,6 +12,7 @@ from inflated import designed
 from matplotlib import image
 
 from BalloonWorkbench.core.pattern.build import build_pattern
+from BalloonWorkbench.core.pictures.cards import caption, card, cards_png
 from BalloonWorkbench.core.pictures.preview import preview_png
 from BalloonWorkbench.core.pictures.render import balloon_picture
 
@@ -72,3 +73,20 @@ def test_balloon_picture_shows_the_shape() -> None:
     assert shadow[rows.max() + 4 :].any()
     assert ring[[0, -1], :, 3].max() < 0.02
     assert ring[:, [0, -1], 3].max() < 0.02
+
+
+def test_a_long_caption_stays_on_its_card() -> None:
+    """It is written smaller rather than cut off at the next card."""
+    drawn = []
+
+    def draw(figure) -> None:
+        axes = card(figure, 26, 26, 480, 464, "Title")
+        caption(axes, "worst: 12.34 mm (1.23 %) off, 56.78 mm at most; yellow: missed; violet: may crease")
+        caption(axes, "Short")
+        drawn.extend(
+            (text.get_window_extent(figure.canvas.get_renderer()), text.get_fontsize()) for text in axes.texts
+        )
+
+    cards_png(draw)
+    assert all(box.x1 <= 26 + 480 - 20 for box, _ in drawn)
+    assert drawn[-1][1] > drawn[-2][1]

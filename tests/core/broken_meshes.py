@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Good meshes damaged in the ways of real files, several at once."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from solids import ball, capsule, egg, pear, rounded_box, torus
+
+from BalloonWorkbench.core.targets.mesh_files import RawMesh
+from BalloonWorkbench.core.types import Floats, Ints
+
+Mesh = tuple[Floats, Ints]
+Random = np.random.Generator
+BODIES = (ball, capsule, egg, pear, torus, rounded_box)
+
+
+def without_some(mesh: Mesh, random: Random) -> Mesh:
+    points, triangles = mesh
+    return points, triangles[random.random(len(triangles)) > random.choice([1e-3, 0.01, 0.3])]
+
+
+def without_a_patch(mesh: Mesh, random: Random) -> Mesh:
+    points, triangles = mesh
+    centres = points[triangles].mean(axis=1)
+    away = np.linalg.norm(centres - centres[random.integers(len(centres))], axis=1)
+    return points, triangles[away > random.uniform(0.05, 0.9) * away.max()]
+
+
+def turned(mesh: Mesh, random: Random) -> Mesh:
+    points, triangles = mesh
+    some = random.random(len(triangles)) < random.choice([0.01, 0.5, 1.0])
+    return points, np.where(some[:, None], triangles[:, ::-1], triangles)
+
+
+def crossing(mesh: Mesh, random: Random) -> Mesh:
+    """One body through the other, welded nowhere."""
+    points, triangles = mesh
+    shifted = points + random.uniform(-0.4, 0.4, 3) * np.ptp(points, axis=0)
+    return np.concatenate([points, shifted]), np.concatenate([triangles, triangles + len(points)])
+
+
+def crumpled(mesh: Mesh, random: Random) -> Mesh:
+    """So rough that it crosses itself."""
+    points, triangles = mesh
+    return points + random.normal(size=points.shape) * random.choice([1e-3, 0.05]) * np.ptp(points), triangles
+
+
+def flat(mesh: Mesh, random: Random) -> Mesh:
+    return mesh[0] * (1.0, random.choice([0.0, 1e-9, 1e-3, 0.02]), 1.0), mesh[1]
+
+
+def unknown(mesh: Mesh, random: Random) -> Mesh:
+    points = mesh[0].copy()
+    points[random.integers(0, len(points), 3), random.integers(3)] = random.choice([np.nan, np.inf, 1e300])
+    return points, mesh[1]
+
+
+def pinched(mesh: Mesh, random: Random) -> Mesh:
+    """Points far from each other made one."""
+    points, triangles = mesh
+    one, other = random.integers(0, len(points), 2)
+    return points, np.where(triangles == one, other, triangles)
+
+
+def without_area(mesh: Mesh, random: Random) -> Mesh:
+    """Triangles drawn out to a line, with their points on the edges of others."""
+    points, triangles = mesh[0].copy(), mesh[1]
+    for triangle in triangles[random.integers(0, len(triangles), 5)]:
+        points[triangle[2]] = 0.5 * (points[triangle[0]] + points[triangle[1]])
+    return points, triangles
+
+
+def loose(mesh: Mesh, random: Random) -> Mesh:
+    """Each triangle with points of its own, rounded."""
+    points = mesh[0][mesh[1]].reshape(-1, 3).astype(np.float32)
+    return points.astype(np.float64), np.arange(len(points), dtype=np.int32).reshape(-1, 3)
+
+
+def with_a_fin(mesh: Mesh, random: Random) -> Mesh:
+    """A sheet that stands on an edge of the surface."""
+    points, triangles = mesh
+    start, end, _ = triangles[random.integers(len(triangles))]
+    tip = 1.3 * points[start]
+    return np.concatenate([points, [tip]]), np.concatenate([triangles, [[start, end, len(points)]]])
+
+
+def in_another_unit(mesh: Mesh, random: Random) -> Mesh:
+    return mesh[0] * random.choice([1e-6, 1e-3, 25.4, 1e3, 1e9]), mesh[1]
+
+
+DAMAGES: tuple[Callable[[Mesh, Random], Mesh], ...] = (
+    *(without_some, without_a_patch, turned, crossing, crumpled, flat, unknown, pinched, without_area, loose),
+    *(with_a_fin, in_another_unit),
+)
+
+
+def broken_mesh(number: int) -> tuple[str, RawMesh]:
+    """A damaged mesh in millimetres and what was done to it; the first ones have each damage alone."""
+    random = np.random.default_rng(number)
+    body = BODIES[number % len(BODIES)]
+    target = body()
+    mesh = (100.0 * target.points, target.triangles)
+    if number < len(DAMAGES):
+        chosen = [number]
+    else:
+        chosen = random.choice(len(DAMAGES), random.integers(1, 4), replace=False).tolist()
+    for damage in chosen:
+        mesh = DAMAGES[damage](mesh, random)
+    name = ", ".join([body.__name__, *(DAMAGES[damage].__name__ for damage in chosen)])
+    return name, RawMesh(mesh[0], mesh[1].astype(np.int32))
