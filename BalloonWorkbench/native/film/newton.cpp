@@ -26,14 +26,15 @@ public:
           hessian_(shell.hessian()),
           factorisation_(hessian_.pattern(), shell.blocks(), cholesky::default_threads()),
           shift_(constants.shift * shell.masses(constants.director_shift)),
-          convergence_(shell, settings.tolerance, constants) {
-        shell.set_slack_stiffness(shell.in_space() ? constants.slack_stiffness : 0.0);
+          convergence_(shell, settings.tolerance, constants),
+          slack_stiffness_(shell.in_space() ? constants.slack_stiffness : 0.0) {
         factorisation_.set_interrupt([this] { return progress_(done_); });
     }
 
     film_result run(const std::vector<double>& levels) {
         for (size_t level = 0; level < levels.size() && !stuck_; ++level) {
             shell_.set_membrane_stiffness(levels[level]);
+            shell_.set_slack_stiffness(slack_stiffness_);
             energy_ = shell_.energies(state_);
             if (!std::isfinite(energy_.total()))
                 throw NotFinite("the start has no finite energy");
@@ -108,6 +109,9 @@ private:
         energy_ = trial.energy;
         needed_ *= constants_.need_decay;
         tension_ = std::max(next_tension(trial.length), needed_);
+        const double unrest =
+            decrement / (constants_.slack_fades * std::max(std::abs(energy_.total()), 1e-300));
+        shell_.set_slack_stiffness(slack_stiffness_ * std::min(1.0, unrest));
         return !held_back && (is_small() || at_rest);
     }
 
@@ -130,6 +134,7 @@ private:
     Eigen::VectorXd gradient_, step_;
     const Eigen::VectorXd shift_;
     Convergence convergence_;
+    const double slack_stiffness_;
     Energies energy_;
     double tension_ = 0.0, needed_ = 0.0; // needed for a definite Hessian, not long ago
     double done_ = 0.0;                   // of all the work

@@ -50,7 +50,7 @@ typedef struct {
 // The numbers that steer the iteration, all positive. They are the caller's, so that two solvers can take the
 // same steps; the workbench declares them once, with the solver in NumPy, and says there what each one does.
 typedef struct {
-    double level_tolerance, shift, slack_stiffness, director_shift;
+    double level_tolerance, shift, slack_stiffness, slack_fades, director_shift;
     double first_tension, least_tension, held_back, largest_tension;
     double tension_growth, tension_decay, need_decay; // the growth above 1
     double sufficient, shortest, short_step, middling_step;

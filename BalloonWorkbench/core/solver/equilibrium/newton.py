@@ -8,7 +8,8 @@ the mesh and lets the balloon move as a whole, so that as much of it serves on e
 
 Bodies with seams in space crumple more than two panels do. Film that hangs slack has no stiffness, and a step
 carries it so far that it is torn: most of the step is then given up. A small part of the stiffness that it
-has when it is taut, in the Hessian alone, lets a step see that it will be.
+has when it is taut, in the Hessian alone, lets a step see that it will be. It fades as the film comes to
+rest, where it would make Newton's steps too short.
 """
 
 from __future__ import annotations
@@ -35,6 +36,7 @@ from BalloonWorkbench.core.types import Floats, Progress, no_progress
 LEVEL_TOLERANCE = 0.02  # a softer level is good enough at this relative decrement
 SHIFT = 1e-6  # of the area of each vertex, on the diagonal: holds what moves in the plane as a whole
 SLACK_STIFFNESS = 0.002  # of taut film's, in the Hessian of a body in space; more holds crumpled tips back
+SLACK_FADES = 0.01  # below this relative decrement it does
 DIRECTOR_SHIFT = 0.1  # of the flexural rigidity, for a unit of shift
 FIRST_TENSION = 0.03  # in p L, tried when the Hessian is indefinite
 LEAST_TENSION = 0.1 * FIRST_TENSION  # after a short step
@@ -87,7 +89,7 @@ class _Iteration:
         self._shell, self._direct = Shell(problem), Factorisations()
         self._shift = SHIFT * _masses(self._shell)
         self._shell.tension = self._needed = 0.0
-        self._shell.slack_stiffness = SLACK_STIFFNESS if problem.in_space else 0.0
+        self._slack_stiffness = SLACK_STIFFNESS if problem.in_space else 0.0
         self._exact = film_tolerance(settings.tolerance, problem.membrane_stiffness)
         self._convergence = Convergence(problem.fixed, self._exact, problem.membrane_stiffness)
         self._positions, self._directors = start.positions, start.directors
@@ -97,6 +99,7 @@ class _Iteration:
     def begin_level(self, stiffness: float, *, last: bool) -> None:
         """Go on with another membrane stiffness."""
         self._shell.membrane_stiffness = stiffness
+        self._shell.slack_stiffness = self._slack_stiffness
         self.last, self.level_done = last, False
         self._tolerance = self._exact if last else LEVEL_TOLERANCE
         self._energy = self._shell.energies(self._positions, self._directors)
@@ -158,6 +161,8 @@ class _Iteration:
         self.level_done = not held_back and (self._small() or at_rest)
         self._needed *= NEED_DECAY
         shell.tension = max(_next_tension(shell.tension, trial.length), self._needed)
+        unrest = self._decrement / (SLACK_FADES * max(abs(self._energy.total), 1e-300))
+        shell.slack_stiffness = self._slack_stiffness * min(1.0, unrest)
 
     def _small(self) -> bool:
         return self._decrement <= self._tolerance * abs(self._energy.total)
