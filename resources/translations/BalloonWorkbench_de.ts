@@ -1139,6 +1139,10 @@
         <translation>Ein Körper kann nicht aus {0} Segmenten gemacht werden. {1} bis {2} nehmen.</translation>
     </message>
     <message>
+        <source>A body has 2 panels or more: say how many.</source>
+        <translation>Ein Körper hat mindestens 2 Bahnen: angeben, wie viele.</translation>
+    </message>
+    <message>
         <source>A body of gores has no side band: leave out what you give of the one or of the other.</source>
         <translation>Ein Körper aus Segmenten hat kein Seitenband: die Angaben zum einen oder zum anderen weglassen.</translation>
     </message>
@@ -1473,6 +1477,10 @@
     <message>
         <source>Body</source>
         <translation>Körper</translation>
+    </message>
+    <message>
+        <source>Both halves of the body are made alike: they differ by {0} at most.</source>
+        <translation>Beide Hälften des Körpers werden gleich gemacht: sie unterscheiden sich um höchstens {0}.</translation>
     </message>
     <message>
         <source>Both panels</source>

@@ -1139,6 +1139,10 @@
         <translation>Un cuerpo no se puede hacer de {0} gajos. Tome de {1} a {2}.</translation>
     </message>
     <message>
+        <source>A body has 2 panels or more: say how many.</source>
+        <translation>Un cuerpo tiene al menos 2 paneles: diga cuántos.</translation>
+    </message>
+    <message>
         <source>A body of gores has no side band: leave out what you give of the one or of the other.</source>
         <translation>Un cuerpo de gajos no tiene banda lateral: quite lo que indica de uno o de otra.</translation>
     </message>
@@ -1473,6 +1477,10 @@
     <message>
         <source>Body</source>
         <translation>Cuerpo</translation>
+    </message>
+    <message>
+        <source>Both halves of the body are made alike: they differ by {0} at most.</source>
+        <translation>Las dos mitades del cuerpo se hacen iguales: difieren en {0} como mucho.</translation>
     </message>
     <message>
         <source>Both panels</source>

@@ -1139,6 +1139,10 @@
         <translation>Un corps ne peut pas être fait de {0} fuseaux. Prenez-en de {1} à {2}.</translation>
     </message>
     <message>
+        <source>A body has 2 panels or more: say how many.</source>
+        <translation>Un corps a au moins 2 panneaux : dire combien.</translation>
+    </message>
+    <message>
         <source>A body of gores has no side band: leave out what you give of the one or of the other.</source>
         <translation>Un corps de fuseaux n'a pas de bande latérale : retirez ce qui concerne l'un ou l'autre.</translation>
     </message>
@@ -1473,6 +1477,10 @@
     <message>
         <source>Body</source>
         <translation>Corps</translation>
+    </message>
+    <message>
+        <source>Both halves of the body are made alike: they differ by {0} at most.</source>
+        <translation>Les deux moitiés du corps sont faites égales : elles diffèrent de {0} au plus.</translation>
     </message>
     <message>
         <source>Both panels</source>

@@ -1139,6 +1139,10 @@
         <translation>立体は {0} 枚のゴアでは作れません。{1}～{2} 枚にしてください。</translation>
     </message>
     <message>
+        <source>A body has 2 panels or more: say how many.</source>
+        <translation>立体には 2 枚以上のパネルが必要です。枚数を指定してください。</translation>
+    </message>
+    <message>
         <source>A body of gores has no side band: leave out what you give of the one or of the other.</source>
         <translation>ゴアの立体に側面の帯はありません。どちらかの指定を外してください。</translation>
     </message>
@@ -1473,6 +1477,10 @@
     <message>
         <source>Body</source>
         <translation>立体</translation>
+    </message>
+    <message>
+        <source>Both halves of the body are made alike: they differ by {0} at most.</source>
+        <translation>立体の両半分を同じ形にしました。違いは最大で {0} です。</translation>
     </message>
     <message>
         <source>Both panels</source>

@@ -22,6 +22,8 @@ from BalloonWorkbench.core.flattening.conformal import (
 )
 from BalloonWorkbench.core.flattening.equal_seams import equal_lengths, mean_edges
 from BalloonWorkbench.core.flattening.loops import loop_vertices, panel_loops
+from BalloonWorkbench.core.geometry.polyline import edge_vectors
+from BalloonWorkbench.core.geometry.vectors import rotation
 from BalloonWorkbench.core.targets.target import Division
 from BalloonWorkbench.core.types import Floats, Ints
 
@@ -64,19 +66,14 @@ def _level(panel: Floats) -> Floats:
     from scipy.spatial import ConvexHull
 
     hull = panel[ConvexHull(panel).vertices]
-    sides = np.roll(hull, -1, axis=0) - hull
+    sides = edge_vectors(hull)
     angles = np.arctan2(sides[:, 1], sides[:, 0])
-    boxes = np.array([np.ptp(hull @ _turn(angle), axis=0) for angle in angles])
+    boxes = np.array([np.ptp(hull @ rotation(-angle), axis=0) for angle in angles])
     areas = boxes.prod(axis=1)
     best = int(np.argmax(areas <= areas.min() * (1.0 + _SAME_AREA)))
     upright = boxes[best, 1] > boxes[best, 0] * (1.0 + _SAME_AREA)
-    level: Floats = panel @ _turn(float(angles[best]) + (0.5 * np.pi if upright else 0.0))
+    level: Floats = panel @ rotation(-float(angles[best]) - (0.5 * np.pi if upright else 0.0))
     return level
-
-
-def _turn(angle: float) -> Floats:
-    """The matrix (2, 2) that turns rows of points back by an angle."""
-    return np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
 
 
 def _seam_edges(division: Division) -> Ints:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.geometry.polyline import perimeter
 from BalloonWorkbench.core.targets.target import Division
 from BalloonWorkbench.core.types import Ints
 
@@ -64,7 +65,7 @@ def _linked(sides: list[SeamSide]) -> list[list[SeamSide]]:
 
 def _length(division: Division, loop: list[SeamSide]) -> float:
     points = division.target.points[division.opened.vertices[loop_vertices(loop)]]
-    return float(np.linalg.norm(np.roll(points, -1, axis=0) - points, axis=1).sum())
+    return perimeter(points)
 
 
 def loop_vertices(loop: list[SeamSide]) -> Ints:

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from BalloonWorkbench.core.geometry.polyline import length
 from BalloonWorkbench.core.segmentation.proxies import Faces
 from BalloonWorkbench.core.segmentation.regions import in_halves
 from BalloonWorkbench.core.targets.half_edges import Indices, connected_parts, euler_numbers
@@ -84,4 +85,4 @@ def joined(target: Target, pieces: Ints, owners: Ints) -> Division:
 
 
 def _length(target: Target, seam: SeamLine) -> float:
-    return float(np.linalg.norm(np.diff(target.points[seam.vertices], axis=0), axis=1).sum())
+    return length(target.points[seam.vertices])

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.memoize import memoized
 from BalloonWorkbench.core.segmentation.discs import joined, pieces_apart
 from BalloonWorkbench.core.segmentation.gores import in_gores, in_strips
@@ -15,15 +16,19 @@ from BalloonWorkbench.core.segmentation.proxies import distances, fit_proxies, m
 from BalloonWorkbench.core.segmentation.regions import between_creases, near_developable, neighbours
 from BalloonWorkbench.core.segmentation.thin_parts import thin_notes
 from BalloonWorkbench.core.targets.half_edges import euler_numbers, twins
+from BalloonWorkbench.core.targets.nearest_surface import NearestSurface
 from BalloonWorkbench.core.targets.refine import cut_where_zero, refined
 from BalloonWorkbench.core.targets.symmetry_planes import axis_of, symmetry_planes
 from BalloonWorkbench.core.targets.target import Division, Target
 from BalloonWorkbench.core.types import Floats, Ints
+from BalloonWorkbench.core.units import length_text
 
 #: Triangles of the surface that is divided, and of each panel at least.
 _TRIANGLES, _OF_PANEL = 4000, 120
 #: Panels that are mirror images of each other may be so much farther away, and those that are all equal.
 _FOR_SYMMETRY, _FOR_EQUALITY = 1.15, 1.6
+#: Halves that differ by less than this part of the diagonal are alike.
+_ALIKE = 1e-3
 
 
 @memoized(4)
@@ -31,15 +36,25 @@ def divide(target: Target, count: int) -> Division:
     """So many panels for a target, 2 or more; the same ones each time.
 
     The division's own target has the same surface, with triangles small enough for the borders; that of a
-    body with a plane of symmetry is made of one half of it and its image.
+    body with a plane of symmetry is made of one half of it and its image. InputError for less than 2.
     """
+    if count < 2:
+        raise InputError("A body has 2 panels or more: say how many.")
     size = np.sqrt(4.0 * target.areas.sum() / max(_TRIANGLES, _OF_PANEL * count))
     points, triangles, _ = refined(target.points, target.triangles, float(size))
     drafts = list(_drafts(points, triangles, count))
     best = min(drafts, key=lambda draft: draft[0])[1]
     points, triangles, pieces, owners = best.of_discs()
-    notes = target.notes + thin_notes(target)
+    notes = target.notes + thin_notes(target) + _made_alike(target, points, triangles)
     return joined(Target(points, triangles, target.source, notes), pieces, owners)
+
+
+def _made_alike(target: Target, points: Floats, triangles: Ints) -> tuple[str, ...]:
+    """A note where the surface that is divided is not quite that of the target, as its halves are alike."""
+    away = np.abs(NearestSurface(points, triangles).query(target.points).distances).max()
+    if away < _ALIKE * target.diagonal:
+        return ()
+    return (f"Both halves of the body are made alike: they differ by {length_text(away, 2)} at most.",)
 
 
 def _drafts(points: Floats, triangles: Ints, count: int) -> Iterator[tuple[float, Proposal]]:

@@ -7,6 +7,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from BalloonWorkbench.core.geometry.vectors import rotation
 from BalloonWorkbench.core.segmentation.proposal import Proposal
 from BalloonWorkbench.core.targets.refine import cut_where_zero
 from BalloonWorkbench.core.types import Floats, Ints
@@ -25,10 +26,9 @@ def in_strips(points: Floats, triangles: Ints, axis: tuple[Floats, Floats], coun
     first = _in_sectors(points, triangles, lambda places: _across(places, axis), 2)
     whole = _out_and_up(points, axis)
     core = 0.5 * (whole.min(axis=0) + whole.max(axis=0))
-    turn = np.pi / count  # the first strip lies round the outside
-    frame = np.array([[np.cos(turn), np.sin(turn)], [-np.sin(turn), np.cos(turn)]])
+    turn = rotation(-np.pi / count)  # the first strip lies round the outside
     draft = _in_sectors(
-        first.points, first.triangles, lambda places: (_out_and_up(places, axis) - core) @ frame.T, count
+        first.points, first.triangles, lambda places: (_out_and_up(places, axis) - core) @ turn, count
     )
     halves = _sectors(_across(draft.points[draft.triangles].mean(axis=1), axis), 2)
     return draft._replace(pieces=draft.pieces + count * halves, owners=np.tile(np.arange(count), 2))

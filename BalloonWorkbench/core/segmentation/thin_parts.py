@@ -8,7 +8,7 @@ from BalloonWorkbench.core.targets.nearest_surface import NearestSurface
 from BalloonWorkbench.core.targets.target import Target
 from BalloonWorkbench.core.units import length_text, percent_text
 
-#: A part is thin below this thickness, in parts of the body's size, and told from this part of the area on.
+#: A part is thin below this thickness, of the body size, and worth a sentence from this part of the area.
 _THIN, _MUCH = 0.025, 0.02
 
 

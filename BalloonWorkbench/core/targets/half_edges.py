@@ -34,7 +34,7 @@ def twins(triangles: Ints) -> Indices:
 
 def ahead(edges: Indices) -> Indices:
     """The half-edges that follow in the same triangles: they start where these end."""
-    return np.asarray(edges // 3 * 3 + (edges + 1) % 3)
+    return np.asarray(edges - edges % 3 + (edges + 1) % 3)
 
 
 def first_corners(twin: Indices, inside: Bools) -> Ints:

@@ -111,3 +111,15 @@ def test_the_unit_does_not_matter() -> None:
     body = spot()
     large = Target(1000.0 * body.points, body.triangles)
     assert divide(large, 12).panels.tobytes() == divide(body, 12).panels.tobytes()
+
+
+def test_a_body_whose_halves_differ_is_told() -> None:
+    """A pinch on one side, small enough for a mirror plane."""
+    target = ball((1.0, 0.7, 0.5), 24)
+    points = target.points.copy()
+    pinched = np.argmax(points[:, 0] + 0.3 * points[:, 1])
+    points[pinched] *= 1.0 - 0.015
+    notes = divide(Target(points, target.triangles), 6).target.notes
+    alike = [note for note in notes if "made alike" in note]
+    assert len(alike) == 1
+    assert not [note for note in divide(target, 6).target.notes if "made alike" in note]
