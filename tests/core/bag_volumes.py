@@ -31,9 +31,22 @@ def box(length: float, width: float, height: float) -> Bag:
 
 def octahedron() -> Bag:
     """Of edge 1."""
-    corners = np.array([(0.0, 0.0), (1.0, 0.0), (0.5, np.sqrt(0.75))])
     around = list(pairwise([1, 2, 3, 4, 1]))
-    faces = [(0, a, b) for a, b in around] + [(5, b, a) for a, b in around]
+    return _of_triangles([(0, a, b) for a, b in around] + [(5, b, a) for a, b in around])
+
+
+def icosahedron() -> Bag:
+    """Of edge 1: 20 panels."""
+    upper, lower = list(pairwise([1, 2, 3, 4, 5, 1])), list(pairwise([6, 7, 8, 9, 10, 6]))
+    faces = [(0, a, b) for a, b in upper] + [(11, b, a) for a, b in lower]
+    for (a, b), (c, d) in zip(upper, lower, strict=True):
+        faces += [(b, a, c), (c, d, b)]
+    return _of_triangles(faces)
+
+
+def _of_triangles(faces: list[tuple[int, int, int]]) -> Bag:
+    """Equal triangles of edge 1, by their corners seen from outside."""
+    corners = np.array([(0.0, 0.0), (1.0, 0.0), (0.5, np.sqrt(0.75))])
     panels = []
     for number, face in enumerate(faces, start=1):
         sides = ["-".join(map(str, sorted(pair))) for pair in pairwise([*face, face[0]])]
