@@ -45,9 +45,7 @@ gui() {
     # FreeCAD 1.0 tries a part: those of its list
     local list=tools/gui-tests${SUITE:-}.txt tests=${BALLOON_TESTS:-}
     [ -n "$tests" ] || [ ! -e "$list" ] || tests=$(grep -v '^#' "$list" | paste -sd' ')
-    # a small screen: without a graphics card its pixels take a third of the time
-    BALLOON_TESTS=${tests:-tests/gui} SCREEN=${SCREEN:-1440x900} \
-        tools/in-window.sh "$scratch/gui" tests/freecad_pytest.py
+    BALLOON_TESTS=${tests:-tests/gui} tools/in-window.sh "$scratch/gui" tests/freecad_pytest.py
 }
 
 users() {

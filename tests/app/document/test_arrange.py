@@ -20,7 +20,7 @@ from BalloonWorkbench.app import artwork, film_sheet
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document import create
 from BalloonWorkbench.app.document.examples import EXAMPLES, open_copy
-from BalloonWorkbench.app.document.kinds import is_source, leader
+from BalloonWorkbench.app.document.kinds import is_panel, is_source, leader
 from BalloonWorkbench.core.nesting import nest as nesting
 
 HEART = Path("resources/examples/pictures/heart.png").resolve()
@@ -41,7 +41,7 @@ def boxes(doc):
     for obj in doc.Objects:
         if is_source(obj):
             found[obj.Name] = App.BoundBox(obj.Shape.BoundBox)
-        elif "Roles" in obj.PropertiesList:
+        elif "Roles" in obj.PropertiesList and not is_panel(obj):  # panels lie on their pattern
             found[obj.Name] = obj.Shape.BoundBox
     for obj in doc.Objects:
         if "SolvedFor" in obj.PropertiesList:
