@@ -1039,16 +1039,12 @@
         <translation>„{0}“ ist leer. Eine andere Datei wählen.</translation>
     </message>
     <message>
+        <source>'{0}' is larger than {1} MB. Make it simpler.</source>
+        <translation>„{0}“ ist größer als {1} MB. Den Inhalt vereinfachen.</translation>
+    </message>
+    <message>
         <source>'{0}' is larger than {1} MB. Save it as JPEG or PNG.</source>
         <translation>„{0}“ ist größer als {1} MB. Als JPEG oder PNG speichern.</translation>
-    </message>
-    <message>
-        <source>'{0}' is larger than {1} MB. Simplify the drawing.</source>
-        <translation>„{0}“ ist größer als {1} MB. Die Zeichnung vereinfachen.</translation>
-    </message>
-    <message>
-        <source>'{0}' is larger than {1} MB. Simplify the mesh.</source>
-        <translation>„{0}“ ist größer als {1} MB. Das Netz vereinfachen.</translation>
     </message>
     <message>
         <source>'{0}' is neither SVG, DXF nor JSON. Save the drawing as one of these.</source>

@@ -1039,16 +1039,12 @@
         <translation>«{0}» está vacío. Elija otro archivo.</translation>
     </message>
     <message>
+        <source>'{0}' is larger than {1} MB. Make it simpler.</source>
+        <translation>«{0}» supera {1} MB. Simplifique el contenido.</translation>
+    </message>
+    <message>
         <source>'{0}' is larger than {1} MB. Save it as JPEG or PNG.</source>
         <translation>«{0}» supera {1} MB. Guárdelo como JPEG o PNG.</translation>
-    </message>
-    <message>
-        <source>'{0}' is larger than {1} MB. Simplify the drawing.</source>
-        <translation>«{0}» supera {1} MB. Simplifique el dibujo.</translation>
-    </message>
-    <message>
-        <source>'{0}' is larger than {1} MB. Simplify the mesh.</source>
-        <translation>«{0}» supera {1} MB. Simplifique la malla.</translation>
     </message>
     <message>
         <source>'{0}' is neither SVG, DXF nor JSON. Save the drawing as one of these.</source>

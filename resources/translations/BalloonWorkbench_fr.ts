@@ -1039,16 +1039,12 @@
         <translation>« {0} » est vide. Choisissez un autre fichier.</translation>
     </message>
     <message>
+        <source>'{0}' is larger than {1} MB. Make it simpler.</source>
+        <translation>« {0} » dépasse {1} Mo. Simplifiez le contenu.</translation>
+    </message>
+    <message>
         <source>'{0}' is larger than {1} MB. Save it as JPEG or PNG.</source>
         <translation>« {0} » dépasse {1} Mo. Enregistrez-le en JPEG ou PNG.</translation>
-    </message>
-    <message>
-        <source>'{0}' is larger than {1} MB. Simplify the drawing.</source>
-        <translation>« {0} » dépasse {1} Mo. Simplifiez le dessin.</translation>
-    </message>
-    <message>
-        <source>'{0}' is larger than {1} MB. Simplify the mesh.</source>
-        <translation>« {0} » dépasse {1} Mo. Simplifiez le maillage.</translation>
     </message>
     <message>
         <source>'{0}' is neither SVG, DXF nor JSON. Save the drawing as one of these.</source>

@@ -1039,16 +1039,12 @@
         <translation>「{0}」は空です。別のファイルを選んでください。</translation>
     </message>
     <message>
+        <source>'{0}' is larger than {1} MB. Make it simpler.</source>
+        <translation>「{0}」は {1} MB を超えています。内容を簡単にしてください。</translation>
+    </message>
+    <message>
         <source>'{0}' is larger than {1} MB. Save it as JPEG or PNG.</source>
         <translation>「{0}」は {1} MB を超えています。JPEG か PNG で保存してください。</translation>
-    </message>
-    <message>
-        <source>'{0}' is larger than {1} MB. Simplify the drawing.</source>
-        <translation>「{0}」は {1} MB を超えています。図を簡単にしてください。</translation>
-    </message>
-    <message>
-        <source>'{0}' is larger than {1} MB. Simplify the mesh.</source>
-        <translation>「{0}」 は {1} MB を超えています。メッシュを簡単にしてください。</translation>
     </message>
     <message>
         <source>'{0}' is neither SVG, DXF nor JSON. Save the drawing as one of these.</source>

@@ -22,7 +22,7 @@ from BalloonWorkbench.core.bag_design.gore_sections import (
     STATIONS,
     across_gores,
     beside_axis,
-    film_residual,
+    gore_residual,
     moves_off,
     off_profile,
     profile_ends,
@@ -276,7 +276,7 @@ def _design(correction: GoreCorrection, proof: GoreIterate, asked: float = REACH
     """The design, with what is to be said about it; asked: the error that is none, in parts of the size."""
     profile, size = correction.unknowns.profile, correction.size
     count, assembly = correction.unknowns.count, proof.meshed.assembly
-    residual = film_residual(profile, assembly, proof.inflation.positions, count)
+    residual = gore_residual(profile, assembly, proof.inflation.positions, count)
     warnings = [*profile.notes]
     if not proof.inflation.report.converged:
         warnings.append(NOT_AT_REST)

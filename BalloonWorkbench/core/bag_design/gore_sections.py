@@ -9,6 +9,7 @@ from BalloonWorkbench.core.bags.mesh_bag import MeshedBag
 from BalloonWorkbench.core.bodies.gores import Gores, laid_along
 from BalloonWorkbench.core.bodies.profile import POINT, Profile
 from BalloonWorkbench.core.design.design import Residual
+from BalloonWorkbench.core.design.film_residual import film_residual
 from BalloonWorkbench.core.geometry.nearest import nearest_on_line
 from BalloonWorkbench.core.geometry.polyline import line_lengths, point_on
 from BalloonWorkbench.core.geometry.triangulation import Located
@@ -71,20 +72,9 @@ def across_gores(meshed: MeshedBag, gores: Gores, count: int, field: Floats) -> 
     return total / count
 
 
-def film_residual(profile: Profile, assembly: Assembly, positions: Floats, count: int) -> Residual:
+def gore_residual(profile: Profile, assembly: Assembly, positions: Floats, count: int) -> Residual:
     """How far the film of so many gores is from the body of revolution, each piece of it by its area [m]."""
     triangles = assembly.surface.triangles
     triangles = triangles[(triangles < assembly.offsets[count]).all(axis=1)]
-    corners = positions[triangles]
-    sides = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     away, _ = off_profile(profile, beside_axis(positions))
-    away = away[triangles]
-    distances = np.abs(0.5 * (away + np.roll(away, 1, axis=1))).ravel()  # in the middle of each side
-    areas = np.repeat(np.linalg.norm(sides, axis=1), 3)
-    order = np.argsort(distances, kind="stable")
-    share = np.cumsum(areas[order]) / areas.sum()
-    return Residual(
-        float(distances @ areas / areas.sum()),
-        float(np.interp(0.95, share, distances[order])),
-        float(np.abs(away).max()),
-    )
+    return film_residual(away, positions, triangles)

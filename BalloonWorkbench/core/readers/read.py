@@ -6,6 +6,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.files.user_file import read_user_file
 from BalloonWorkbench.core.outline.budget import Budget
 from BalloonWorkbench.core.outline.drawing import Drawing
 from BalloonWorkbench.core.outline.outline import Outline
@@ -45,15 +46,7 @@ def read_drawing(
     """
     path = Path(path)
     budget = Budget()
-    try:
-        with path.open("rb") as file:
-            head = file.read(4096)
-    except FileNotFoundError:
-        raise InputError(f"There is no file '{path}'. Check the name and the folder.") from None
-    except OSError as error:
-        raise InputError(
-            f"'{path}' cannot be read ({error.strerror}). Check the name and its access."
-        ) from None
+    head = read_user_file(path, 4096)
     if not head:
         raise InputError(f"'{path.name}' is empty. Choose another file.")
     kind = None if is_picture(head) else vector_kind(path, head)

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.files.user_file import read_whole
 from BalloonWorkbench.core.outline.budget import Budget
 from BalloonWorkbench.core.outline.drawing import Drawing, checked
 from BalloonWorkbench.core.outline.validity import scale_to
@@ -80,16 +81,4 @@ def vector_kind(path: Path, head: bytes) -> str | None:
 
 def read_bytes(path: Path) -> bytes:
     """The content of a drawing; InputError where it cannot be read, is empty or too large."""
-    try:
-        if path.stat().st_size > _MOST_BYTES:
-            raise InputError(f"'{path.name}' is larger than {_MOST_BYTES >> 20} MB. Simplify the drawing.")
-        data = path.read_bytes()
-    except FileNotFoundError:
-        raise InputError(f"There is no file '{path}'. Check the name and the folder.") from None
-    except OSError as error:
-        raise InputError(
-            f"'{path}' cannot be read ({error.strerror}). Check the name and its access."
-        ) from None
-    if not data:
-        raise InputError(f"'{path.name}' is empty. Choose another file.")
-    return data
+    return read_whole(path, _MOST_BYTES)

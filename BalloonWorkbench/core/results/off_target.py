@@ -15,6 +15,8 @@ from BalloonWorkbench.core.geometry.nearest import nearest_places
 from BalloonWorkbench.core.geometry.polyline import ring
 from BalloonWorkbench.core.geometry.vectors import norm
 from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.target_design.off_target import TargetSurface
+from BalloonWorkbench.core.targets.target import Division
 from BalloonWorkbench.core.types import Floats
 
 
@@ -22,11 +24,14 @@ def off_target(design: BagDesign) -> Floats | None:
     """Distances (n,) m of all vertices, positive outside; None of a bag as it is.
 
     Of gores from the body of revolution, of its discs from the flat ends of that, 0 where a disc is not made;
-    of a letter that of the place of its silhouette which is nearest, from the drawing. MissingPackageError.
+    of a body from its surface; of a letter that of the place of its silhouette which is nearest, from the
+    drawing. MissingPackageError.
     """
     source = design.source
     if isinstance(source, Profile):
         return _off_body(design, source)
+    if isinstance(source, Division):
+        return TargetSurface(source.target).off(design.inflation.positions).distances
     return _off_drawing(design, source) if isinstance(source, Outline) else None
 
 

@@ -91,9 +91,7 @@ def fit_target(
     pattern meshed anew. Raises what flatten, mesh_bag and inflate raise; Cancelled when progress returns
     False.
     """
-    correction = begun(division, film, pressure, mesh_size)
-    simulation = replace(correction.simulation, backend=backend, model=model, progress=progress)
-    correction = replace(correction, simulation=simulation)
+    correction = _begun(division, film, pressure, mesh_size, backend, model, progress)
     side, margin = mode.side, mode.margin
     best = correction.run(correction.first(), side * margin, STEPS)
     if side:
@@ -116,16 +114,23 @@ def inflate_target(
     progress: Progress = no_progress,
 ) -> BagDesign:
     """The balloon of the panels as they are laid flat, without correction; see fit_target."""
-    correction = begun(division, film, pressure, mesh_size)
-    simulation = replace(correction.simulation, backend=backend, model=model, progress=progress)
-    correction = replace(correction, simulation=simulation)
+    correction = _begun(division, film, pressure, mesh_size, backend, model, progress)
     return _design(correction, correction.first(), np.inf)
 
 
-def begun(division: Division, film: Film, pressure: float, mesh_size: float | None) -> TargetCorrection:
+def _begun(
+    division: Division,
+    film: Film,
+    pressure: float,
+    mesh_size: float | None,
+    backend: str | None,
+    model: Model | None,
+    progress: Progress,
+) -> TargetCorrection:
     """The correction of a divided target before its first balloon."""
     body = bag_of(division, flatten(division))
-    simulation = TargetSimulation(body, TargetSurface(division.target), film, pressure)
+    surface = TargetSurface(division.target)
+    simulation = TargetSimulation(body, surface, film, pressure, backend, model, progress)
     mirrored = NOT_MIRRORED if film.young_modulus_across is not None else MirroredPanels.of(body)
     return TargetCorrection(simulation, mesh_size or default_size(body.bag, VERTICES), mirrored)
 

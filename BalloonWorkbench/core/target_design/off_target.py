@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from BalloonWorkbench.core.design.design import Residual
+from BalloonWorkbench.core.design.film_residual import film_residual
 from BalloonWorkbench.core.geometry.vectors import unit
 from BalloonWorkbench.core.targets.half_edges import area_vectors
 from BalloonWorkbench.core.targets.nearest_surface import NearestSurface
@@ -87,13 +88,4 @@ def vertex_areas(points: Floats, triangles: Ints) -> Floats:
 
 def target_residual(surface: TargetSurface, points: Floats, triangles: Ints) -> Residual:
     """How far film of triangles between points (n, 3) is from the target, each piece by its area [m]."""
-    away = surface.off(points).distances[triangles]
-    distances = np.abs(0.5 * (away + np.roll(away, 1, axis=1))).ravel()  # in the middle of each side
-    areas = np.repeat(np.linalg.norm(area_vectors(points, triangles), axis=1), 3)
-    order = np.argsort(distances, kind="stable")
-    share = np.cumsum(areas[order]) / areas.sum()
-    return Residual(
-        float(distances @ areas / areas.sum()),
-        float(np.interp(0.95, share, distances[order])),
-        float(np.abs(away).max()),
-    )
+    return film_residual(surface.off(points).distances, points, triangles)

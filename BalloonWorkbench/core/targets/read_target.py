@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.files.user_file import read_whole
 from BalloonWorkbench.core.targets.mesh_files import RawMesh, read_obj, read_stl
 from BalloonWorkbench.core.targets.ply import read_ply
 from BalloonWorkbench.core.targets.repair import mended
@@ -39,7 +40,7 @@ def read_target(path: str | Path, width: float | None = None, height: float | No
     Raises InputError with one sentence for what is no body.
     """
     path = Path(path)
-    raw = MESHES[path.suffix.lower().lstrip(".")](_content(path))
+    raw = MESHES[path.suffix.lower().lstrip(".")](read_whole(path, _MOST_BYTES))
     return target_of(raw, path.name, width, height)
 
 
@@ -75,20 +76,3 @@ def _unit(unit: float | None, size: float, notes: list[str]) -> float:
         " Give a width to have another one."
     )
     return 1.0
-
-
-def _content(path: Path) -> bytes:
-    """The content of a mesh file; InputError where it cannot be read, is empty or too large."""
-    try:
-        if path.stat().st_size > _MOST_BYTES:
-            raise InputError(f"'{path.name}' is larger than {_MOST_BYTES >> 20} MB. Simplify the mesh.")
-        data = path.read_bytes()
-    except FileNotFoundError:
-        raise InputError(f"There is no file '{path}'. Check the name and the folder.") from None
-    except OSError as error:
-        raise InputError(
-            f"'{path}' cannot be read ({error.strerror}). Check the name and its access."
-        ) from None
-    if not data:
-        raise InputError(f"'{path.name}' is empty. Choose another file.")
-    return data

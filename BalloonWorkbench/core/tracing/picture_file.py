@@ -9,7 +9,8 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from BalloonWorkbench.core.errors import InputError, MissingPackageError, PictureError
+from BalloonWorkbench.core.errors import MissingPackageError, PictureError
+from BalloonWorkbench.core.files.user_file import read_user_file
 from BalloonWorkbench.core.tracing.raster import opencv
 
 #: A picture with more pixels than this is refused before it is unpacked, so that it takes less than 1 GB: a
@@ -30,15 +31,7 @@ def picture_size(path: Path) -> tuple[int, int]:
 
     InputError where the file cannot be read, PictureError where it is none of these or too large.
     """
-    try:
-        with path.open("rb") as file:
-            head = file.read(_HEAD)
-    except FileNotFoundError:
-        raise InputError(f"There is no file '{path}'. Check the name and the folder.") from None
-    except OSError as error:
-        raise InputError(
-            f"'{path}' cannot be read ({error.strerror}). Check the name and its access."
-        ) from None
+    head = read_user_file(path, _HEAD)
     try:
         size = _size(head)
     except (struct.error, IndexError):

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from solids import box
 
 from BalloonWorkbench.core.bag_design.bag_design import BagDesign
 from BalloonWorkbench.core.bag_design.gore_fit import inflate_gores
@@ -18,6 +19,9 @@ from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.results.colour_map import DISTANCE, distance_map, kinds_of
 from BalloonWorkbench.core.results.off_target import off_target
 from BalloonWorkbench.core.results.result_files import results, results_bytes
+from BalloonWorkbench.core.segmentation.divide import divide
+from BalloonWorkbench.core.solver.model import Model
+from BalloonWorkbench.core.target_design.fit_target import inflate_target
 
 RADIUS, HEIGHT = 0.2, 0.5
 
@@ -88,3 +92,13 @@ def test_the_map_and_the_file(drum: BagDesign) -> None:
     with np.load(io.BytesIO(results_bytes(drum.inflation, film("mylar"), "npz", distances(drum)))) as written:
         assert written["distance_mm"] == pytest.approx(1e3 * distances(drum))
     assert b'Name="distance_mm"' in results_bytes(drum.inflation, film("mylar"), "vtu", distances(drum))
+
+
+def test_a_cube_bulges_over_its_faces() -> None:
+    """Face centres are .1077 of the edge outside, corners inside (reference solution, stiff film)."""
+    division = divide(box((1.0, 1.0, 1.0), 4), 6)
+    design = inflate_target(division, film("mylar"), 5.0, mesh_size=0.09, model=Model(bending=False))
+    away = distances(design)
+    assert away.max() == pytest.approx(0.1077, rel=0.1)
+    assert away.min() < 0.0
+    assert b"distance_mm" in results_bytes(design.inflation, film("mylar"), "vtu", away)
