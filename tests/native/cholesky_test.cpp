@@ -67,6 +67,12 @@ void agrees_with_dense(const MeshMatrix& matrix, const char* name) {
               name);
         const VectorXd x = solved(cholesky, b);
         check((x - expected).norm() <= 1e-10 * expected.norm(), "solution", name);
+        MatrixXd many(b.size(), 37);
+        for (Eigen::Index k = 0; k < many.cols(); ++k)
+            many.col(k) = (1.0 + k) * b;
+        cholesky.solve(many.data(), static_cast<int>(many.cols()));
+        for (Eigen::Index k = 0; k < many.cols(); ++k)
+            check((many.col(k) - (1.0 + k) * x).norm() <= 1e-12 * many.col(k).norm(), "many", name);
         check((full * x - b).norm() <= 1e-12 * (full.norm() * x.norm() + b.norm()), "residual", name);
     }
 }

@@ -56,6 +56,9 @@ public:
     // Replaces the right-hand side by the solution, after a factorisation that succeeded.
     void solve(double* right_hand_side);
 
+    // The same for many, one after the other in memory, on this thread; faster than each by itself.
+    void solve(double* right_hand_sides, int count);
+
     // Both; faster, for one half of the solution is done while the factor is still in cache. Leaves the
     // right-hand side when the matrix is not positive definite.
     bool factorise_and_solve(const double* values, const double* diagonal, double* right_hand_side);

@@ -30,8 +30,7 @@ bool tangent_solve(Shell shell, const State& state, const film_constants& consta
         tension = std::max(constants.tension_growth * tension, constants.first_tension);
     }
     Eigen::MatrixXd columns = shell.gathered(loads, fields);
-    for (int field = 0; field < fields; ++field)
-        factorisation.solve(columns.col(field).data());
+    factorisation.solve(columns.data(), fields);
     shell.spread(columns, moves);
     return exact;
 }

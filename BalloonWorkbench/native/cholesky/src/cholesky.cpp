@@ -53,6 +53,10 @@ void Factorisation::solve(double* right_hand_side) {
     implementation_->run(nullptr, nullptr, right_hand_side);
 }
 
+void Factorisation::solve(double* right_hand_sides, int count) {
+    implementation_->solve(right_hand_sides, count);
+}
+
 bool Factorisation::factorise_and_solve(const double* values, const double* diagonal,
                                         double* right_hand_side) {
     return implementation_->run(values, diagonal, right_hand_side);

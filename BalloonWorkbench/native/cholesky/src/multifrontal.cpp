@@ -10,9 +10,10 @@
 namespace cholesky {
 namespace {
 
-constexpr int kBlock = 64;   // groups of pivots at a time: a strip of rows of so many columns stays in cache
-constexpr int kColumns = 32; // groups of columns that stay in cache while all rows pass
-constexpr int kChunk = 12;   // groups of rows that one thread takes
+constexpr int kBlock = 64;    // groups of pivots at a time: a strip of rows of so many columns stays in cache
+constexpr int kColumns = 32;  // groups of columns that stay in cache while all rows pass
+constexpr int kChunk = 12;    // groups of rows that one thread takes
+constexpr int kTogether = 16; // right-hand sides that are solved while a front is in cache
 constexpr double kLongFactorisation = 4e7; // [ns] shorter ones are not interrupted
 constexpr std::chrono::milliseconds kInterruptInterval{30};
 
@@ -99,12 +100,12 @@ void Multifrontal::work(int thread) {
         return;
     if (thread == 0) {
         for (auto f = schedule_.shared_fronts.rbegin(); f != schedule_.shared_fronts.rend(); ++f)
-            backward(*f, alone.panel);
+            backward(*f, vectors_.data(), right_hand_side_, alone.panel);
     }
     all.barrier();
     for (size_t b = next_down_++; b < subtrees.size(); b = next_down_++) {
         for (int f = subtrees[b].last; f-- > subtrees[b].first;)
-            backward(f, alone.panel);
+            backward(f, vectors_.data(), right_hand_side_, alone.panel);
     }
 }
 
@@ -112,7 +113,7 @@ bool Multifrontal::go_up(int index, const Team& team) {
     if (values_ != nullptr && !factor(index, team))
         return false;
     if (right_hand_side_ != nullptr && team.index == 0)
-        forward(index);
+        forward(index, vectors_.data(), right_hand_side_);
     return true;
 }
 
@@ -245,15 +246,36 @@ double* Multifrontal::update(int index, const Team& team) {
     return at < schedule_.thread_size ? team.stacks + at : updates_.data() + (at - schedule_.thread_size);
 }
 
-void Multifrontal::forward(int index) {
+void Multifrontal::solve(double* right_hand_sides, int count) {
+    const size_t size = symbolic_.unknowns.size();
+    const int fronts = static_cast<int>(symbolic_.fronts.size());
+    if (count > 1 && !many_)
+        many_ = std::make_unique<AlignedArray>(kTogether * symbolic_.vector_size);
+    for (int first = 0; first < count; first += kTogether) {
+        const int last = std::min(first + kTogether, count);
+        const auto vectors = [&](int field) {
+            return count > 1 ? many_->data() + (field - first) * symbolic_.vector_size : vectors_.data();
+        };
+        for (int f = 0; f < fronts; ++f) {
+            for (int field = first; field < last; ++field)
+                forward(f, vectors(field), right_hand_sides + field * size);
+        }
+        for (int f = fronts; f-- > 0;) {
+            for (int field = first; field < last; ++field)
+                backward(f, vectors(field), right_hand_sides + field * size, panels_[0].data());
+        }
+    }
+}
+
+void Multifrontal::forward(int index, double* vectors, const double* right_hand_side) {
     const Symbolic::Front& front = symbolic_.fronts[index];
-    double* const vector = vectors_.data() + front.vector;
+    double* const vector = vectors + front.vector;
     std::fill(vector + front.pivots, vector + front.shape.height(), 0.0);
     for (int k = 0; k < front.pivots; ++k)
-        vector[k] = right_hand_side_[symbolic_.unknowns[front.first_unknown + k]];
+        vector[k] = right_hand_side[symbolic_.unknowns[front.first_unknown + k]];
     for (int k = 0; k < front.children; ++k) {
         const Symbolic::Front& child = symbolic_.fronts[symbolic_.children[front.first_child + k]];
-        const double* const update = vectors_.data() + child.vector + child.shape.columns();
+        const double* const update = vectors + child.vector + child.shape.columns();
         for (int t = child.first_transfer; t < child.first_transfer + child.transfers; ++t) {
             const Symbolic::Transfer& transfer = symbolic_.transfers[t];
             for (int i = 0; i < transfer.length; ++i)
@@ -263,23 +285,23 @@ void Multifrontal::forward(int index) {
     kernels_.forward(front.shape, factor_.data() + front.factor, vector, vector + front.shape.columns());
 }
 
-void Multifrontal::backward(int index, double* scratch) {
+void Multifrontal::backward(int index, double* vectors, double* right_hand_side, double* scratch) {
     const Symbolic::Front& front = symbolic_.fronts[index];
-    double* const vector = vectors_.data() + front.vector;
+    double* const vector = vectors + front.vector;
     double* const update = vector + front.shape.columns();
     for (int t = front.first_transfer; t < front.first_transfer + front.transfers; ++t) {
         const Symbolic::Transfer& transfer = symbolic_.transfers[t];
-        std::copy_n(vectors_.data() + symbolic_.fronts[front.parent].vector + transfer.target,
-                    transfer.length, update + transfer.source);
+        std::copy_n(vectors + symbolic_.fronts[front.parent].vector + transfer.target, transfer.length,
+                    update + transfer.source);
     }
     kernels_.backward(front.shape, factor_.data() + front.factor, vector, update, scratch);
     for (int k = 0; k < front.pivots; ++k)
-        right_hand_side_[symbolic_.unknowns[front.first_unknown + k]] = vector[k];
+        right_hand_side[symbolic_.unknowns[front.first_unknown + k]] = vector[k];
 }
 
 size_t Multifrontal::bytes() const {
     size_t sum = symbolic_.bytes() + schedule_.update_at.capacity() * sizeof(size_t) + factor_.bytes()
-                 + updates_.bytes() + vectors_.bytes();
+                 + updates_.bytes() + vectors_.bytes() + (many_ ? many_->bytes() : 0);
     for (size_t thread = 0; thread < panels_.size(); ++thread)
         sum += panels_[thread].bytes() + stacks_[thread].bytes();
     return sum;

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <functional>
+#include <memory>
 
 #include "aligned_array.h"
 #include "schedule.h"
@@ -20,6 +21,8 @@ public:
 
     // Factors where there are values, solves where there is a right-hand side.
     bool run(const double* values, const double* diagonal, double* right_hand_side);
+    // Replaces right-hand sides, one after the other, by their solutions.
+    void solve(double* right_hand_sides, int count);
     void set_interrupt(std::function<bool()> may_go_on);
     bool interrupted() const { return interrupted_; }
     size_t factor_entries() const { return symbolic_.factor_size; }
@@ -36,14 +39,15 @@ private:
     bool factor_panel(int index, const Team& team);
     double* update(int index, const Team& team);
     bool goes_on();
-    void forward(int index);
-    void backward(int index, double* scratch);
+    void forward(int index, double* vectors, const double* right_hand_side);
+    void backward(int index, double* vectors, double* right_hand_side, double* scratch);
 
     Symbolic symbolic_;
     Schedule schedule_;
     const FrontKernels& kernels_;
     AlignedArray factor_, updates_, vectors_;
     std::vector<AlignedArray> panels_, stacks_; // of each thread
+    std::unique_ptr<AlignedArray> many_;        // vectors of the right-hand sides that are solved together
     ThreadPool pool_;
     std::function<bool()> may_go_on_;
     std::chrono::steady_clock::time_point last_asked_;
