@@ -58,9 +58,11 @@ def read_stl(data: bytes) -> RawMesh:
     """A binary or written STL file. InputError."""
     count = int.from_bytes(data[80:_STL_HEADER], "little") if len(data) >= _STL_HEADER else 0
     if len(data) == _STL_HEADER + _STL_FACET * count or not data.lstrip().startswith(b"solid"):
-        check_count(count)
         if not count or len(data) < _STL_HEADER + _STL_FACET * count:
-            raise InputError("The STL file is damaged: it ends too early. Save it once more.")
+            raise InputError(
+                "The STL file is damaged, as it ends too early, or no STL file at all. Save it once more."
+            )
+        check_count(count)
         facets = np.frombuffer(
             data, np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("more", "<u2")]), count, 84
         )

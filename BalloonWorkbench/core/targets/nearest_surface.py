@@ -44,7 +44,9 @@ class NearestSurface:
         # in classes of about equal size each triangle is near its centre
         classes = np.floor(np.log2(np.maximum(radii, _TINY))).astype(np.int64)
         self._classes: list[tuple[Indices, Any, float]] = []
-        for each in np.unique(classes):
+        # the largest class first: most places find their triangle there
+        sizes, counts = np.unique(classes, return_counts=True)
+        for each in sizes[np.argsort(-counts, kind="stable")]:
             own = np.flatnonzero(classes == each)
             self._classes.append((own, kd_tree(centres[own]), float(radii[own].max())))
 
@@ -74,6 +76,8 @@ class NearestSurface:
         triangle = np.zeros(len(places), dtype=np.intp)
         for own, tree, radius in self._classes:
             waiting, count = np.arange(len(places)), _FEW
+            if np.isfinite(best).all():
+                waiting = np.flatnonzero(tree.query(places)[0] - radius < best)
             while len(waiting):
                 count = min(count, len(own))
                 away, near = tree.query(places[waiting], k=np.arange(1, count + 1))

@@ -9,9 +9,9 @@ import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.files.user_file import read_whole
+from BalloonWorkbench.core.targets.mending.repair import mended, uncrossed
 from BalloonWorkbench.core.targets.mesh_files import RawMesh, read_obj, read_stl
 from BalloonWorkbench.core.targets.ply import read_ply
-from BalloonWorkbench.core.targets.repair import mended
 from BalloonWorkbench.core.targets.simplify import simplified
 from BalloonWorkbench.core.targets.target import Target
 from BalloonWorkbench.core.targets.three_mf import read_3mf
@@ -50,6 +50,7 @@ def target_of(raw: RawMesh, source: str, width: float | None = None, height: flo
     if len(body.triangles) > MOST_TRIANGLES:
         body.notes.append(f"The mesh was made simpler. Its triangles were: {len(body.triangles)}.")
         body.points, body.triangles = simplified(body.points, body.triangles, MOST_TRIANGLES)
+    uncrossed(body)
     points, notes = body.points - 0.5 * (body.points.max(axis=0) + body.points.min(axis=0)), body.notes
     size = np.ptp(points, axis=0)
     scales = [asked / own for asked, own in zip((width, height), size[[0, 2]]) if asked is not None]

@@ -80,21 +80,43 @@ def refined(points: Floats, triangles: Ints, size: float) -> Split:
         origin = origin[parents]
 
 
-def cut_where_zero(points: Floats, triangles: Ints, values: Floats) -> Split:
+def cut_where_zero(
+    points: Floats,
+    triangles: Ints,
+    values: Floats,
+    own: Bools | None = None,
+    turn: float = np.inf,
+    most: float = np.inf,
+) -> Split:
     """Split triangles where values (n,) at their points (n, d), linear between, change sign.
 
-    A point lies on the line where its value is less than a small part of the change along its edges.
+    A point lies on the line where its value is less than a small part of the change along its edges,
+    and no more than most.
+
+    own   (m,) the triangles that are cut, with those beside their edges; None: all
+    turn  values come round again after so much, so that along no edge they change by half of it
     """
     edges = half_edges(triangles)
     ends = values[edges]
+    steps = np.abs(ends[:, 1] - ends[:, 0])
+    inside = steps < 0.5 * turn
+    if own is not None:
+        inside &= np.repeat(own, 3)
+    # only at edges that cross the line a point can be on it, and change anything
+    near = np.zeros(len(points), dtype=bool)
+    near[edges[inside & (ends[:, 0] * ends[:, 1] < 0.0)]] = True
+    some = inside & near[edges].any(axis=1)
     change = np.zeros(len(points))
-    np.maximum.at(change, edges[:, 0], np.abs(ends[:, 1] - ends[:, 0]))
-    np.maximum.at(change, edges[:, 1], np.abs(ends[:, 1] - ends[:, 0]))
-    on = np.abs(values) <= _ON * change
+    np.maximum.at(change, edges[some].ravel(), np.repeat(steps[some], 2))
+    on = np.abs(values) <= np.minimum(_ON * change, most)
     ends = np.where(on, 0.0, values)[edges]
-    marked = ends[:, 0] * ends[:, 1] < 0.0
+    marked = inside & (ends[:, 0] * ends[:, 1] < 0.0)
+    if own is not None:
+        names = np.sort(edges, axis=1).astype(np.int64) @ (len(points), 1)
+        marked = np.isin(names, names[marked])
     # from the lower vertex of an edge, so that both of its half-edges give the same point to the last bit
-    low, high = np.sort(edges, axis=1).T
-    difference = np.where(marked, values[low] - values[high], 1.0)
-    share = (values[low] / difference)[:, None]
-    return split_edges(points, triangles, marked, points[low] + share * (points[high] - points[low]))
+    low, high = np.sort(edges[marked], axis=1).T
+    share = (values[low] / (values[low] - values[high]))[:, None]
+    places = np.zeros((len(edges), points.shape[1]))
+    places[marked] = points[low] + share * (points[high] - points[low])
+    return split_edges(points, triangles, marked, places)

@@ -23,6 +23,8 @@ _EVEN = 1e-5
 _HELD = 1e-3
 #: A triangle may turn by the angle of this cosine.
 _TURN = 0.3
+#: It does not become lower than this part of its longest side, or if it is, than so much of what it was.
+_LOW, _LOWER = 0.03, 0.6
 _ROUNDS = 400
 _SCATTER, _GOLDEN = 1.0, 0.6180339887498949
 #: Part of all edges, the cheapest, that may become points in a round.
@@ -164,7 +166,8 @@ def _holds_together(surface: _Surface, ends: Indices) -> Bools:
 
 
 def _stays_flat(surface: _Surface, ends: Indices, places: Floats) -> Bools:
-    """Whether no triangle turns over when each edge (k, 2) becomes a point (k, 3); no two are neighbours."""
+    """Whether no triangle turns over or gets thin when each edge (k, 2) becomes a point (k, 3), none beside
+    another."""
     owner = np.full(len(surface.points), -1)
     owner[ends] = np.arange(len(ends))[:, None]
     moved = surface.points.copy()
@@ -172,8 +175,16 @@ def _stays_flat(surface: _Surface, ends: Indices, places: Floats) -> Bools:
     corners = owner[surface.triangles]
     touched = (corners >= 0).sum(axis=1) == 1
     triangles = surface.triangles[touched]
-    before, after = unit(area_vectors(surface.points, triangles)), unit(area_vectors(moved, triangles))
-    turned = np.einsum("ij,ij->i", before, after) < _TURN
+    before, after = area_vectors(surface.points, triangles), area_vectors(moved, triangles)
+    wrong = np.einsum("ij,ij->i", unit(before), unit(after)) < _TURN
+    low = _heights(after, moved[triangles])
+    wrong |= low < np.minimum(_LOW, _LOWER * _heights(before, surface.points[triangles]))
     sound = np.ones(len(ends), dtype=bool)
-    sound[corners[touched].max(axis=1)[turned]] = False
+    sound[corners[touched].max(axis=1)[wrong]] = False
     return sound
+
+
+def _heights(areas: Floats, corners: Floats) -> Floats:
+    """Of triangles (m, 3, 3) of these area vectors (m, 3), in parts of their longest sides (m,)."""
+    longest = ((corners - np.roll(corners, 1, axis=1)) ** 2).sum(axis=2).max(axis=1)
+    return np.asarray(2.0 * np.linalg.norm(areas, axis=1) / np.maximum(longest, 1e-300))

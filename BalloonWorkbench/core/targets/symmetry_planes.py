@@ -34,7 +34,7 @@ def _axes(points: Floats, triangles: Ints) -> tuple[Floats, list[Floats]]:
     return middle, [*np.eye(3)[::-1], *np.linalg.eigh(spread)[1].T]
 
 
-class _Images:
+class Mirrored:
     """A body that is compared with its images."""
 
     def __init__(self, points: Floats, triangles: Ints) -> None:
@@ -54,10 +54,14 @@ class _Images:
                 return False
         return True
 
+    def halved(self, normal: Floats) -> bool:
+        """Whether the plane with this normal (3,) through the middle halves the body into mirror images."""
+        return self.are_on_it(partial(_mirrored, normal=normal))
+
 
 def axis_of(points: Floats, triangles: Ints) -> tuple[Floats, Floats] | None:
     """A point (3,) and a direction (3,) of the axis of a body of revolution; None for any other body."""
-    images = _Images(points, triangles)
+    images = Mirrored(points, triangles)
     for axis in images.axes:
         if all(images.are_on_it(partial(_turned, axis=axis, angle=turn)) for turn in _TURNS):
             return images.middle, axis
@@ -83,11 +87,11 @@ def symmetry_planes(points: Floats, triangles: Ints) -> list[tuple[Floats, Float
     Only planes square to its main directions, or to the axes of its coordinates, are seen; of those that
     are not square to each other the first.
     """
-    images = _Images(points, triangles)
+    images = Mirrored(points, triangles)
     planes: list[tuple[Floats, Floats]] = []
     for axis in images.axes:
         if any(abs(axis @ known) > 0.01 for _, known in planes):
             continue
-        if images.are_on_it(partial(_mirrored, normal=axis)):
+        if images.halved(axis):
             planes.append((images.middle, axis))
     return planes

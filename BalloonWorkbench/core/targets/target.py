@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -18,6 +18,9 @@ from BalloonWorkbench.core.targets.half_edges import (
     twins,
 )
 from BalloonWorkbench.core.types import Bools, Floats, Ints
+
+#: Digits of metres to which points and flat places are kept.
+_POINT_DIGITS, _DIGITS = 9, 12
 
 
 @dataclass(frozen=True)
@@ -91,6 +94,30 @@ class OpenedPanels:
 
 
 @dataclass(frozen=True)
+class FaceFlats:
+    """The faces of a solid that unroll, laid flat, each in its own plane.
+
+    corners  (m, 3, 2) m where the corners of each triangle lie; NaN where its face does not unroll
+    bent     (h,) half-edges that stand for a piece of a curve of the boundary of such a face
+    between  (h, 3, 2) m where that curve lies at a quarter, a half and three quarters of its parameter
+    """
+
+    corners: Floats
+    bent: Indices
+    between: Floats
+
+    def scaled(self, scale: float) -> FaceFlats:
+        """The same of a body so many times as large."""
+        return FaceFlats(self.corners * scale, self.bent, self.between * scale)
+
+    def rounded(self) -> FaceFlats:
+        """The same to the picometre, so that the same is read from a document as was written."""
+        return FaceFlats(
+            np.round(self.corners, _DIGITS) + 0.0, self.bent, np.round(self.between, _DIGITS) + 0.0
+        )
+
+
+@dataclass(frozen=True)
 class Division:
     """Which panel each triangle of a target belongs to.
 
@@ -98,12 +125,24 @@ class Division:
     names   of the p panels
     cuts    (k, 2) vertices of edges inside a panel that are seams too: they open it, so that it can be
             laid flat
+    flats   where the target's triangles lie on the flat film, as far as that is known exactly
     """
 
     target: Target
     panels: Ints
     names: tuple[str, ...]
     cuts: Ints
+    flats: FaceFlats | None = None
+
+    def scaled(self, scale: float) -> Division:
+        """The same of a body so many times as large."""
+        target = replace(self.target, points=self.target.points * scale)
+        return replace(self, target=target, flats=self.flats and self.flats.scaled(scale))
+
+    def rounded(self) -> Division:
+        """The same on the grid to which a document keeps it."""
+        target = replace(self.target, points=np.round(self.target.points, _POINT_DIGITS) + 0.0)
+        return replace(self, target=target, flats=self.flats and self.flats.rounded())
 
     @cached_property
     def seam_edges(self) -> Bools:

@@ -20,7 +20,9 @@ from BalloonWorkbench.core.targets.half_edges import (
     half_edges,
     twins,
 )
-from BalloonWorkbench.core.targets.holes import filled_holes
+from BalloonWorkbench.core.targets.mending.crossings import crossing_triangles
+from BalloonWorkbench.core.targets.mending.holes import filled_holes
+from BalloonWorkbench.core.targets.mending.junctions import junctions, parted, without_walls
 from BalloonWorkbench.core.types import Bools, Floats, Ints
 from BalloonWorkbench.core.units import number_text
 
@@ -29,6 +31,8 @@ _ONE = 1e-6
 #: A body of less volume than this part of its area times its size is flat.
 _FLAT = 1e-3
 _FARTHEST = 1e12
+#: Rings of triangles round a crossing that are cut out with it, and at most this part of all triangles.
+_RINGS, _CUT_OUT = 3, 0.05
 
 
 @dataclass
@@ -43,7 +47,7 @@ class Mended:
 def mended(points: Floats, triangles: Ints) -> Mended:
     """The largest body of a mesh, closed and seen from outside. Raises InputError where there is none."""
     body = Mended(points, triangles)
-    for step in (_finite, _welded, _without_doubles, _oriented, _own_vertices, _largest, _closed, _outside):
+    for step in _STEPS:
         checkpoint()
         step(body)
     return body
@@ -99,17 +103,38 @@ def _without_doubles(body: Mended) -> None:
         _keep(body, np.sort(first))
 
 
+def _without_walls(body: Mended) -> None:
+    """Without sheets that stand on the surface, and walls inside it; touching bodies get own points."""
+    if not junctions(body.triangles).crowded.any():
+        return
+    kept = without_walls(body.points, body.triangles)
+    if not kept.all():
+        body.notes.append(
+            "Triangles of the mesh that stood on its surface, or were walls inside it, were left out:"
+            f" {(~kept).sum()}."
+        )
+        _keep(body, kept)
+    if junctions(body.triangles).crowded.any():
+        first = parted(body.points, body.triangles)
+        corners, number = np.unique(first, return_inverse=True)
+        body.points = body.points[body.triangles.ravel()[corners]]
+        body.triangles = number.reshape(-1, 3).astype(np.int32)
+
+
 def _oriented(body: Mended) -> None:
     """Triangles beside each other run the same way round; InputError where they cannot."""
-    edges = np.sort(half_edges(body.triangles), axis=1).astype(np.int64) @ (len(body.points), 1)
-    order = np.argsort(edges, kind="stable")
-    _, start, count = np.unique(edges[order], return_index=True, return_counts=True)
-    if (count > 2).any():
+    known = junctions(body.triangles)
+    crowded = np.flatnonzero(known.crowded)
+    if len(crowded):
+        place = _place(body.points[half_edges(body.triangles)[crowded[0], 0]])
         raise InputError(
-            f"Edges of the mesh at which more than two triangles meet: {(count > 2).sum()}. Repair it in the"
-            " program that it comes from, so that it is the surface of a solid."
+            f"Edges of the mesh at which more than two triangles meet: {(known.counts > 2).sum()}, one of"
+            f" them at ({place}) of the mesh. Repair it in the program that it comes from, so that it is the"
+            " surface of a solid."
         )
-    one, other = order[start[count == 2]], order[start[count == 2] + 1]
+    order = np.argsort(known.edge, kind="stable")
+    start = (np.cumsum(known.counts) - known.counts)[known.counts == 2]
+    one, other = order[start], order[start + 1]
     ahead = half_edges(body.triangles)
     same = ahead[one, 0] != ahead[other, 0]
     flipped = _flips(len(body.triangles), one // 3, other // 3, same)
@@ -180,3 +205,43 @@ def _outside(body: Mended) -> None:
         )
     if volume < 0.0:
         body.triangles = body.triangles[:, ::-1].copy()
+
+
+_FIRST = (_finite, _welded, _without_doubles, _without_walls)
+_STEPS = (*_FIRST, _oriented, _own_vertices, _largest, _closed, _outside)
+
+
+def uncrossed(body: Mended) -> None:
+    """Cut out where a closed body crosses itself, and close the holes; told where that does not help."""
+    crossed = crossing_triangles(body.points, body.triangles)
+    if not len(crossed):
+        return
+    for rings in range(_RINGS):
+        gone = np.zeros(len(body.triangles), dtype=bool)
+        gone[crossed] = True
+        for _ in range(rings):
+            touched = np.zeros(len(body.points), dtype=bool)
+            touched[body.triangles[gone]] = True
+            gone |= touched[body.triangles].any(axis=1)
+        if gone.mean() > _CUT_OUT:
+            break
+        tried = Mended(body.points, body.triangles)
+        _keep(tried, ~gone)
+        try:
+            for step in (_own_vertices, _largest, _closed, _outside):
+                step(tried)
+        except InputError:
+            continue
+        if not len(crossing_triangles(tried.points, tried.triangles)):
+            body.points, body.triangles = tried.points, tried.triangles
+            body.notes.append(f"Triangles that crossed others were cut out, and closed: {gone.sum()}.")
+            return
+    place = _place(body.points[body.triangles[crossed[0], 0]])
+    body.notes.append(
+        f"The surface crosses itself, at ({place}) of the mesh. Film cannot follow it there. Triangles that"
+        f" cross others: {len(crossed)}."
+    )
+
+
+def _place(point: Floats) -> str:
+    return ", ".join(map(number_text, point.tolist()))
