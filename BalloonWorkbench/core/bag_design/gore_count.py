@@ -16,7 +16,7 @@ import numpy as np
 
 from BalloonWorkbench.core.bag_design.bag_design import BagDesign
 from BalloonWorkbench.core.bag_design.gore_fit import ENOUGH, RisingPressure, body_size, fit_gores
-from BalloonWorkbench.core.bodies.gores import FEWEST, GORE
+from BalloonWorkbench.core.bodies.gores import FEWEST, gores_of
 from BalloonWorkbench.core.bodies.profile import DISC, Profile
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import Film
@@ -107,7 +107,7 @@ def judged(design: BagDesign, accuracy: float) -> BagDesign:
     """The design of a body of gores with whether it is as near to its profile as was asked for."""
     assert isinstance(design.source, Profile) and design.residual is not None
     error = design.residual.mean / design.size
-    count = sum(panel.name.startswith(GORE) for panel in design.bag.panels)
+    count = gores_of(design.bag, design.source)
     if error <= accuracy:
         return design
     needed = _more(design.source, count, error, accuracy)

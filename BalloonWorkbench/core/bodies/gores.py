@@ -22,8 +22,6 @@ from BalloonWorkbench.core.types import Floats
 
 #: So many gores can be made.
 FEWEST, MOST = 3, 100
-#: How gores are called, before their number.
-GORE = "gore "
 #: Lengths along a meridian between corners of the profile, points along each rim of a disc at least.
 STATIONS, _RIM = 64, 48
 #: A turn of the profile that is a corner of the gores' edges [rad].
@@ -95,6 +93,17 @@ def _reaches(profile: Profile) -> list[tuple[float, float]]:
     ]
 
 
+def discs_of(bag: Bag, profile: Profile) -> list[tuple[int, int]]:
+    """Numbers of the discs of a profile's bag, which come after the gores, each with its end: 0 or -1."""
+    ends = [end for end, kind in ((0, profile.lower), (-1, profile.upper)) if kind != POINT]
+    return list(enumerate(ends, len(bag.panels) - len(ends)))
+
+
+def gores_of(bag: Bag, profile: Profile) -> int:
+    """How many gores a profile's bag has."""
+    return len(bag.panels) - len(discs_of(bag, profile))
+
+
 def gored_bag(profile: Profile, count: int, gores: Gores | None = None) -> Bag:
     """So many equal gores, sealed edge to edge, and a disc at each end that is no point.
 
@@ -107,7 +116,7 @@ def gored_bag(profile: Profile, count: int, gores: Gores | None = None) -> Bag:
     outer = laid_along(np.concatenate([lower, right, upper, right[::-1] * (-1.0, 1.0)]))
     low, top = len(lower) - 1, len(lower) + len(right)  # the right corners; the left ones are 0 and last
     last = top + len(upper) - 1
-    panels = [BagPanel(f"{GORE}{number + 1}", outer) for number in range(count)]
+    panels = [BagPanel(f"gore {number + 1}", outer) for number in range(count)]
     seams = [BagSeam(Side(k, low, top), Side((k + 1) % count, 0, last)) for k in range(count)]
     around = parts * count
     if profile.lower != POINT:

@@ -28,6 +28,8 @@ _GRADING = 0.25
 #: and how it grows. (A ring's volume is 1.2 % too small on even elements, 0.6 % with these.)
 _HOLE_SHARE, _HOLE_GRADING = 0.25, 0.35
 _SAMPLES_PER_SIZE = 6.0
+#: No size is finer than this, in quarter octaves: an edge of no length asks for no end of vertices.
+_FINEST = 24
 #: More vertices are surely a slip of the unit.
 _MOST_VERTICES = 1_000_000
 
@@ -61,6 +63,7 @@ class SizeField:
         needed = lengths < 0.97 * self.size
         # Rounded down to quarter octaves: a lookup is then a few tree queries.
         step = np.ceil(4.0 * np.log2(self.size / lengths[needed]) - 1e-9).astype(int)
+        step = np.minimum(step, _FINEST)
         groups = tuple(
             (self.size * 2.0 ** (-k / 4.0), points[needed][step == k], grading) for k in np.unique(step)
         )

@@ -27,12 +27,18 @@ def with_smooth_borders(points: Floats, triangles: Ints, labels: Ints, reach: fl
     origin = np.arange(len(triangles), dtype=np.int32)
     for region in range(count):
         checkpoint()
-        values = carried[:, 3:]
-        ahead = values[:, region] - np.delete(values, region, axis=1).max(axis=1)
-        carried, triangles, parents = cut_where_zero(carried, triangles, ahead)
+        carried, triangles, parents = cut_where_zero(carried, triangles, _ahead(carried[:, 3:], region))
         origin = origin[parents]
     most = np.argmax(carried[triangles, 3:].sum(axis=1), axis=1).astype(np.int32)
     return Split(np.ascontiguousarray(carried[:, :3]), triangles, origin), most
+
+
+def _ahead(shares: Floats, region: int) -> Floats:
+    """By how much there is more (n,) of a region than of any other; shares (n, p)."""
+    others = shares.max(axis=1)
+    first = np.flatnonzero(shares[:, region] == others)
+    others[first] = np.delete(shares[first], region, axis=1).max(axis=1)
+    return np.asarray(shares[:, region] - others)
 
 
 def _spread(points: Floats, triangles: Ints, labels: Ints, reach: float) -> Floats:

@@ -4,20 +4,24 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.memoize import memoized
+from BalloonWorkbench.core.options.body import MOST_PANELS
+from BalloonWorkbench.core.segmentation.creases import between_sharp_edges
 from BalloonWorkbench.core.segmentation.discs import joined, pieces_apart
 from BalloonWorkbench.core.segmentation.gores import in_gores, in_strips
 from BalloonWorkbench.core.segmentation.proposal import Proposal, seen_faces
 from BalloonWorkbench.core.segmentation.proxies import distances, fit_proxies, moments
-from BalloonWorkbench.core.segmentation.regions import between_creases, near_developable, neighbours
+from BalloonWorkbench.core.segmentation.regions import near_developable, neighbours, rounded
 from BalloonWorkbench.core.segmentation.thin_parts import thin_notes
 from BalloonWorkbench.core.targets.half_edges import euler_numbers, twins
 from BalloonWorkbench.core.targets.nearest_surface import NearestSurface
 from BalloonWorkbench.core.targets.refine import cut_where_zero, refined
+from BalloonWorkbench.core.targets.simplify import simplified
 from BalloonWorkbench.core.targets.symmetry_planes import axis_of, symmetry_planes
 from BalloonWorkbench.core.targets.target import Division, Target
 from BalloonWorkbench.core.types import Floats, Ints
@@ -25,6 +29,9 @@ from BalloonWorkbench.core.units import length_text
 
 #: Triangles of the surface that is divided, and of each panel at least.
 _TRIANGLES, _OF_PANEL = 4000, 120
+#: Triangles for each that is wanted that are too many, and those that are left then; how long these may be,
+#: and by which part of the diagonal the surface may change.
+_TOO_MANY, _FEWER, _LONG, _CHANGED = 3.5, 1.5, 1.5, 6e-4
 #: Panels that are mirror images of each other may be so much farther away, and those that are all equal.
 _FOR_SYMMETRY, _FOR_EQUALITY = 1.15, 1.6
 #: Halves that differ by less than this part of the diagonal are alike.
@@ -33,20 +40,41 @@ _ALIKE = 1e-3
 
 @memoized(4)
 def divide(target: Target, count: int) -> Division:
-    """So many panels for a target, 2 or more; the same ones each time.
+    """So many panels for a target, the same ones each time; 1 is a body without seams, which the user draws.
 
     The division's own target has the same surface, with triangles small enough for the borders; that of a
-    body with a plane of symmetry is made of one half of it and its image. InputError for less than 2.
+    body with a plane of symmetry is made of one half of it and its image. InputError for less than 1 and
+    more than MOST_PANELS.
     """
-    if count < 2:
-        raise InputError("A body has 2 panels or more: say how many.")
-    size = np.sqrt(4.0 * target.areas.sum() / max(_TRIANGLES, _OF_PANEL * count))
-    points, triangles, _ = refined(target.points, target.triangles, float(size))
+    if not 1 <= count <= MOST_PANELS:
+        raise InputError(f"A body is divided into 2 to {MOST_PANELS} panels: say how many.")
+    points, triangles = _even_triangles(target, max(_TRIANGLES, _OF_PANEL * count))
+    if count == 1:
+        whole = np.zeros(len(triangles), dtype=np.int32)
+        return joined(replace(target, points=points, triangles=triangles), whole, whole[:1])
     drafts = list(_drafts(points, triangles, count))
-    best = min(drafts, key=lambda draft: draft[0])[1]
+    best = drafts[int(np.argmin(rounded(np.array([distance for distance, _ in drafts]))))][1]
     points, triangles, pieces, owners = best.of_discs()
     notes = target.notes + thin_notes(target) + _made_alike(target, points, triangles)
     return joined(Target(points, triangles, target.source, notes), pieces, owners)
+
+
+def _even_triangles(target: Target, count: int) -> tuple[Floats, Ints]:
+    """The surface of a target in about so many triangles, none much longer than the others.
+
+    The slivers of a body from CAD become very many when they are split: these are made fewer again, unless
+    that changes the surface.
+    """
+    size = float(np.sqrt(4.0 * target.areas.sum() / count))
+    points, triangles, _ = refined(target.points, target.triangles, size)
+    if len(triangles) < _TOO_MANY * count:
+        return points, triangles
+    fewer = simplified(points, triangles, int(_FEWER * count))
+    away = np.abs(NearestSurface(*fewer).query(target.points).distances).max()
+    if away > _CHANGED * target.diagonal:
+        return points, triangles
+    points, triangles, _ = refined(*fewer, _LONG * size)
+    return points, triangles
 
 
 def _made_alike(target: Target, points: Floats, triangles: Ints) -> tuple[str, ...]:
@@ -64,10 +92,9 @@ def _drafts(points: Floats, triangles: Ints, count: int) -> Iterator[tuple[float
         ring = euler_numbers(twins(triangles), np.zeros(len(triangles), dtype=np.int32))[0] == 0
         draft = (in_strips if ring else in_gores)(points, triangles, axis, count)
         yield draft.distance / (_FOR_SYMMETRY if ring else _FOR_EQUALITY), draft
-    faces = between_creases(*seen_faces(points, triangles))
-    if faces.max() + 1 == count:
-        draft = Proposal(points, triangles, faces, np.arange(count))
-        yield draft.distance / _FOR_EQUALITY, draft
+    parted = between_sharp_edges(points, triangles, count)
+    if parted is not None:
+        yield parted.distance, parted
     for plane in symmetry_planes(points, triangles):
         images = _in_images(points, triangles, plane, count)
         if images is not None:
@@ -110,5 +137,5 @@ def _with_one_less(draft: Proposal) -> Proposal:
     sums = moments(faces, labels, 2 * count)
     both = sums.of(pairs)
     loss = distances(both, fit_proxies(both)) - distances(sums, fit_proxies(sums))[pairs].sum(axis=1)
-    one, other = pairs[np.argmin(loss)]
+    one, other = pairs[np.argmin(rounded(loss))]
     return draft._replace(owners=np.where(draft.owners == other, one, draft.owners))

@@ -7,8 +7,9 @@ from collections.abc import Callable
 
 import numpy as np
 
-from BalloonWorkbench.core.geometry.vectors import rotation
+from BalloonWorkbench.core.geometry.vectors import cross, rotation
 from BalloonWorkbench.core.segmentation.proposal import Proposal
+from BalloonWorkbench.core.targets.half_edges import area_vectors
 from BalloonWorkbench.core.targets.refine import cut_where_zero
 from BalloonWorkbench.core.types import Floats, Ints
 
@@ -37,12 +38,35 @@ def in_strips(points: Floats, triangles: Ints, axis: tuple[Floats, Floats], coun
 def _in_sectors(points: Floats, triangles: Ints, flat: Callable[[Floats], Floats], count: int) -> Proposal:
     """A surface cut into equal sectors of a plane; flat: where places (k, 3) are in it, (k, 2)."""
     lines = count // 2 if count % 2 == 0 else count
+    points, poles = _with_poles(points, triangles, flat(points))
     for line in range(lines):
         angle = 2.0 * np.pi * line / count
         values = flat(points) @ (-np.sin(angle), np.cos(angle))
+        values[poles] = 0.0
         points, triangles, _ = cut_where_zero(points, triangles, values)
     sectors = _sectors(flat(points[triangles].mean(axis=1)), count)
     return Proposal(points, triangles, sectors, np.arange(count))
+
+
+def _with_poles(points: Floats, triangles: Ints, across: Floats) -> tuple[Floats, list[int]]:
+    """The points, with one moved to wherever all sectors meet, and their numbers; across (k, 2): see flat.
+
+    The corner next to that place goes there within its triangle: else sectors end beside each other.
+    """
+    corners = across[triangles]
+    shares = np.stack([cross(corners[:, (k + 1) % 3], corners[:, (k + 2) % 3]) for k in range(3)], axis=1)
+    total = shares.sum(axis=1, keepdims=True)
+    shares = np.divide(shares, total, out=np.full_like(shares, -1.0), where=total != 0.0)
+    normals, poles = area_vectors(points, triangles), []
+    for triangle in np.flatnonzero((shares >= 0.0).all(axis=1)).tolist():
+        nearest = int(triangles[triangle, np.argmax(shares[triangle])])
+        moved = points.copy()
+        moved[nearest] = shares[triangle] @ points[triangles[triangle]]
+        turned = np.einsum("ij,ij->i", area_vectors(moved, triangles), normals) <= 0.0
+        if nearest not in poles and not turned.any():
+            points = moved
+            poles.append(nearest)
+    return points, poles
 
 
 def _sectors(flat: Floats, count: int) -> Ints:

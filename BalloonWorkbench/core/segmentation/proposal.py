@@ -11,6 +11,7 @@ from BalloonWorkbench.core.geometry.vectors import unit
 from BalloonWorkbench.core.segmentation.borders import with_smooth_borders
 from BalloonWorkbench.core.segmentation.discs import in_one_piece, into_discs
 from BalloonWorkbench.core.segmentation.proxies import Faces, distances, fit_proxies, moments
+from BalloonWorkbench.core.segmentation.regions import SMALL, without, without_small
 from BalloonWorkbench.core.targets.half_edges import Indices, area_vectors, half_edges, twins
 from BalloonWorkbench.core.types import Floats, Ints
 
@@ -18,6 +19,8 @@ from BalloonWorkbench.core.types import Floats, Ints
 _REACHES = (2.0, 1.0, 0.5)
 #: Area of a piece that is left at least.
 _LEFT = 0.6
+#: How often a panel is taken away that is lost between smooth borders.
+_TRIES = 6
 
 
 class Proposal(NamedTuple):
@@ -41,15 +44,45 @@ class Proposal(NamedTuple):
         return float(distances(regions, fit_proxies(regions)).sum())
 
     def of_discs(self) -> Proposal:
-        """With pieces that are discs, or flat."""
+        """With panels in one piece, of pieces that are discs, or flat."""
         faces, beside = seen_faces(self.points, self.triangles)
-        whole = self._replace(pieces=in_one_piece(self.pieces, beside, faces.areas)).numbered()
+        whole = self.numbered()._connected(faces, beside).numbered()
         discs = into_discs(faces, twins(self.triangles), whole.pieces)
         owners = np.empty(int(discs.max()) + 1, dtype=np.int32)
         owners[discs] = whole.owners[whole.pieces]
         return whole._replace(pieces=discs, owners=owners)
 
+    def _connected(self, faces: Faces, beside: Indices) -> Proposal:
+        """With panels and pieces that hang together."""
+        labels = self.owners[self.pieces]
+        panels = in_one_piece(labels, beside, faces.areas)
+        first = np.unique(self.owners, return_index=True)[1]
+        pieces = np.where(panels == labels, self.pieces, first[panels]).astype(np.int32)
+        inside = np.where((beside >= 0) & (panels[beside] == panels[:, None]), beside, -1)
+        return self._replace(pieces=in_one_piece(pieces, inside, faces.areas))
+
     def smoothed(self) -> Proposal:
+        """With smooth borders and no panel that is very small: one of which smooth borders leave little joins
+        one beside it before, and another one is parted."""
+        draft, count = self, int(self.owners.max()) + 1
+        for _ in range(_TRIES):
+            best = draft._with_smooth_borders()
+            best = best._connected(*seen_faces(best.points, best.triangles))
+            areas = np.bincount(best.owners, best._areas(), count)
+            small = int(np.argmin(areas))
+            if areas[small] * count > SMALL:
+                return best
+            draft = draft._without(small)
+        return draft
+
+    def _without(self, panel: int) -> Proposal:
+        """As many panels, of which this one is another one."""
+        faces, beside = seen_faces(self.points, self.triangles)
+        labels = without(faces, beside, self.owners[self.pieces], panel)
+        labels = without_small(faces, beside, labels)
+        return self._replace(pieces=labels, owners=np.arange(int(labels.max()) + 1)).of_discs()
+
+    def _with_smooth_borders(self) -> Proposal:
         """With borders as smooth as they can be without a piece that gets much smaller."""
         before = self._areas()
         best, most = self, 0.0

@@ -23,6 +23,11 @@ _BENT = 0.002
 _ARC = 0.5
 #: Mean distance of an arc from the line nearest to it, beside how much its direction and its places spread.
 _BULGE = 0.385
+#: Square of the sine of a circle's angle below which it is a point: the normals of a plane.
+_FLAT = 1e-8
+_EMPTY = 1e-300  # area of a region without triangles
+#: What the width of a region counts where directions are equal, and what counts as equal.
+_BY_WIDTH, _EQUAL = 1e-5, 1e-7
 
 
 class Faces(NamedTuple):
@@ -81,22 +86,41 @@ def moments(faces: Faces, labels: Ints, count: int) -> Moments:
 
 def fit_proxies(regions: Moments) -> Proxies:
     """The best circle for the normals of each region."""
-    mean = regions.normals / regions.areas[:, None]
-    second = regions.turns / regions.areas[:, None, None]
-    straight, cylinders = np.linalg.eigh(second)
-    conical, cones = np.linalg.eigh(second - np.einsum("ij,ik->ijk", mean, mean))
-    cosines = np.clip(np.einsum("ij,ij->i", cones[:, :, 0], mean), -1.0, 1.0)
+    areas = np.maximum(regions.areas, _EMPTY)
+    mean = regions.normals / areas[:, None]
+    second = regions.turns / areas[:, None, None]
+    straight, cylinders = _least(regions, second)
+    conical, cones = _least(regions, second - np.einsum("ij,ik->ijk", mean, mean))
+    cosines = np.clip(np.einsum("ij,ij->i", cones, mean), -1.0, 1.0)
     # the angle to a small circle is the distance along its axis over the sine of its angle
     sines = 1.0 - cosines**2
-    conical = conical[:, 0] / np.maximum(sines, 1e-12)
+    conical = conical / np.maximum(sines, _FLAT)
     # a cone whose point is inside the region cannot be laid flat: its normals go all round the axis
     around = np.einsum("ij,ij->i", mean, mean) - cosines**2 < _ARC**2 * sines
-    better = (conical < straight[:, 0]) & ~around
-    axes = np.where(better[:, None], cones[:, :, 0], cylinders[:, :, 0])
+    better = (conical < straight - _EQUAL) & ~around & (sines > _FLAT)
+    axes = np.where(better[:, None], cones, cylinders)
     # of panels that film can follow equally well those that bend less
     bent = _BENT * (2.0 - 2.0 * np.linalg.norm(mean, axis=1))
-    off = np.sqrt(np.maximum(np.where(better, conical, straight[:, 0]) + bent, 0.0))
+    off = np.sqrt(np.maximum(np.where(better, conical, straight) + bent, 0.0))
     return Proxies(axes, np.where(better, cosines, 0.0), unit(mean), off)
+
+
+def _least(regions: Moments, matrices: Floats) -> tuple[Floats, Floats]:
+    """The least value (p,) of x M x of each matrix (p, 3, 3), and the direction (p, 3) of it.
+
+    Of directions that are equal, as on a plane, the one across which the region is narrow, and then one by
+    its coordinates: the last bits decide nothing.
+    """
+    decided = matrices + _BY_WIDTH * spreads(regions) + _EQUAL * np.diag([0.0, 1.0, 2.0])
+    directions = np.linalg.eigh(decided)[1][:, :, 0]
+    return np.einsum("pi,pij,pj->p", directions, matrices, directions), directions
+
+
+def spreads(regions: Moments) -> Floats:
+    """How far the places of each region spread, (p, 3, 3)."""
+    areas = np.maximum(regions.areas, _EMPTY)
+    middle = regions.centres / areas[:, None]
+    return np.asarray(regions.spreads / areas[:, None, None] - np.einsum("ij,ik->ijk", middle, middle))
 
 
 def costs(faces: Faces, proxies: Proxies) -> Floats:
@@ -112,8 +136,8 @@ def distances(regions: Moments, proxies: Proxies) -> Floats:
 
     A strip that is bent across by some angle is so far from a straight one as that angle times its width.
     """
-    middle = regions.centres / regions.areas[:, None]
-    spread = regions.spreads / regions.areas[:, None, None] - np.einsum("ij,ik->ijk", middle, middle)
     # along a line of the cone, which leans against its axis
-    width = np.einsum("pi,pij,pj->p", proxies.axes, spread, proxies.axes) / (1.0 - proxies.cosines**2)
+    width = np.einsum("pi,pij,pj->p", proxies.axes, spreads(regions), proxies.axes) / (
+        1.0 - proxies.cosines**2
+    )
     return np.asarray(_BULGE * regions.areas * proxies.off * np.sqrt(np.maximum(width, 0.0)))

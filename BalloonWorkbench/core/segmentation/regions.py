@@ -29,7 +29,14 @@ _TURN, _LENGTH = 3.0, 0.5
 _SHARP = np.cos(np.radians(30.0))
 #: Area of a region that is too small, and of one that is large enough to be made two, of the mean one; and
 #: what area is worth where film follows all regions.
-_SMALL, _LARGE, _BY_AREA = 0.15, 0.6, 1e-6
+SMALL, LARGE, _BY_AREA = 0.15, 0.6, 1e-6
+#: Decimals of what is compared: the last bits differ from machine to machine, and must not decide.
+_DECIMALS = 8
+
+
+def rounded(values: Floats) -> Floats:
+    """Values to be compared, without their last bits."""
+    return np.asarray(np.round(values, _DECIMALS), dtype=np.float64)
 
 
 class Regions(NamedTuple):
@@ -40,8 +47,8 @@ class Regions(NamedTuple):
 
     @property
     def total(self) -> float:
-        """Of all regions."""
-        return float(self.distances.sum())
+        """Of all regions, rounded."""
+        return float(rounded(self.distances).sum())
 
 
 def between_creases(faces: Faces, beside: Indices) -> Ints:
@@ -68,34 +75,57 @@ def near_developable(faces: Faces, beside: Indices, count: int) -> Regions:
         if after.total >= best.total:
             break
         best = after
-    return _even(faces, beside, best)
-
-
-def _even(faces: Faces, beside: Indices, regions: Regions) -> Regions:
-    """Without regions that are very small: each joins one beside it, and the worst one is made two."""
-    labels, count = regions.labels, len(regions.distances)
-    for _ in range(count):
-        sums = moments(faces, labels, count)
-        small = int(np.argmin(sums.areas))
-        if sums.areas[small] * count > _SMALL:
-            break
-        own = distances(sums, fit_proxies(sums))
-        pairs = neighbours(labels, beside)
-        one, other = _least_loss(sums, own, pairs[(pairs == small).any(axis=1)])
-        kept = one if other == small else other
-        large = sums.areas * count > _LARGE
-        worst = int(np.argmax(np.where(large, own + _BY_AREA * sums.areas**1.5, -1.0)))
-        labels = np.where(labels == small, kept, labels)
-        labels[in_halves(faces, beside, labels == worst) == 1] = small
+    labels = without_small(faces, beside, best.labels)
     sums = moments(faces, labels, count)
     return Regions(labels, distances(sums, fit_proxies(sums)))
+
+
+def without_small(faces: Faces, beside: Indices, labels: Ints) -> Ints:
+    """Regions (m,), as many as before, none of them very small: such a one joins one beside it, and a large
+    one is made two."""
+    count = int(labels.max()) + 1
+    for _ in range(2 * count):
+        small = int(np.argmin(np.bincount(labels, faces.areas, count)))
+        if moments(faces, labels, count).areas[small] * count > SMALL:
+            break
+        labels = without(faces, beside, labels, small)
+    return labels
+
+
+def without(faces: Faces, beside: Indices, labels: Ints, small: int) -> Ints:
+    """Regions (m,), as many as before: this one joins one beside it, and its number is that of a half of
+    the worst of the large ones that can be parted well."""
+    count = int(labels.max()) + 1
+    sums = moments(faces, labels, count)
+    own = distances(sums, fit_proxies(sums))
+    pairs = neighbours(labels, beside)
+    one, other = _least_loss(sums, own, pairs[(pairs == small).any(axis=1)])
+    labels = np.where(labels == small, one if other == small else other, labels)
+    sums = moments(faces, labels, count)
+    own = distances(sums, fit_proxies(sums))
+    worst = np.where(sums.areas * count > LARGE, worth_parting(sums, own), -1.0)
+    best, most = labels, -1.0
+    order = np.argsort(-rounded(worst), kind="stable")
+    for region in order[worst[order] >= 0.0].tolist():
+        halves = in_halves(faces, beside, labels == region)
+        left = float(np.bincount(halves[halves >= 0], faces.areas[halves >= 0], 2).min()) * count
+        if left > most:
+            best, most = np.where(halves == 1, small, labels), left
+        if most > SMALL:
+            break
+    return best
+
+
+def worth_parting(sums: Moments, own: Floats) -> Floats:
+    """How bad (p,) a region is; own (p,): distances. Of regions that film follows the largest."""
+    return np.asarray(own + _BY_AREA * sums.areas**1.5)
 
 
 def _least_loss(sums: Moments, own: Floats, pairs: Ints) -> tuple[int, int]:
     """Of pairs (k, 2) of regions the one that loses least when it becomes one region; own (p,): distances."""
     both = sums.of(pairs)
     loss = distances(both, fit_proxies(both)) - own[pairs].sum(axis=1)
-    one, other = pairs[np.argmin(loss)].tolist()
+    one, other = pairs[np.argmin(rounded(loss))].tolist()
     return one, other
 
 
@@ -103,17 +133,17 @@ def _first_seeds(faces: Faces, count: int) -> Indices:
     """Triangles (count,) far from each other, in place and in direction."""
     places = np.column_stack([faces.normals / _TURN, faces.centres / _LENGTH])
     nearest = ((places - faces.areas @ places) ** 2).sum(axis=1)
-    seeds = [int(np.argmax(nearest))]
+    seeds = [int(np.argmax(rounded(nearest)))]
     nearest[:] = np.inf
     while len(seeds) < count:
         nearest = np.minimum(nearest, ((places - places[seeds[-1]]) ** 2).sum(axis=1))
-        seeds.append(int(np.argmax(nearest)))
+        seeds.append(int(np.argmax(rounded(nearest))))
     return np.array(seeds, dtype=np.intp)
 
 
 def _across(normals: Floats) -> Floats:
     """A direction (p, 3) square to each normal."""
-    other = np.eye(3)[np.argmin(np.abs(normals), axis=1)]
+    other = np.eye(3)[np.argmin(rounded(np.abs(normals)), axis=1)]
     across = np.cross(normals, other)
     return across / np.linalg.norm(across, axis=1, keepdims=True)
 
@@ -146,7 +176,7 @@ def grown(cost: Floats, seeds: Indices, beside: Indices) -> Ints:
     seeds   (p,) a triangle of each region
     beside  (m, 3) the triangles beside each one, -1 for none
     """
-    price, around = cost.T.tolist(), beside.tolist()
+    price, around = rounded(cost).T.tolist(), beside.tolist()
     label = [-1] * len(cost)
     waiting = [(-1.0, int(seed), region) for region, seed in enumerate(seeds)]
     while waiting:
@@ -162,8 +192,8 @@ def grown(cost: Floats, seeds: Indices, beside: Indices) -> Ints:
 
 def _middles(faces: Faces, proxies: Proxies, labels: Ints) -> Indices:
     """Of each region the triangle (p,) that is most like all of it."""
-    own = costs(faces, proxies)[np.arange(len(labels)), labels]
-    order = np.lexsort([own, labels])
+    own = rounded(costs(faces, proxies)[np.arange(len(labels)), labels])
+    order = np.lexsort((own, labels))
     return order[np.searchsorted(labels[order], np.arange(len(proxies.axes)))]
 
 
@@ -171,7 +201,7 @@ def _moved(faces: Faces, beside: Indices, regions: Regions) -> tuple[Indices, Pr
     """Seeds and proxies after the two regions are made one that lose least, and the worst one is made two."""
     count, labels = len(regions.distances), regions.labels
     pairs = neighbours(labels, beside)
-    worst = int(np.argmax(regions.distances))
+    worst = int(np.argmax(rounded(regions.distances)))
     pairs = pairs[(pairs != worst).all(axis=1)]
     if not len(pairs) or np.count_nonzero(labels == worst) < 2:
         return None
@@ -188,8 +218,8 @@ def in_halves(faces: Faces, beside: Indices, own: Bools) -> Ints:
     """Half 0 or 1 (m,) of each triangle of a region that hangs together, own (m,); -1 for the others."""
     places = np.column_stack([faces.normals, faces.centres / _LENGTH])
     there = np.flatnonzero(own)
-    far = there[np.argmax(((places[there] - places[there].mean(axis=0)) ** 2).sum(axis=1))]
-    near = there[np.argmax(((places[there] - places[far]) ** 2).sum(axis=1))]
+    far = there[np.argmax(rounded(((places[there] - places[there].mean(axis=0)) ** 2).sum(axis=1)))]
+    near = there[np.argmax(rounded(((places[there] - places[far]) ** 2).sum(axis=1)))]
     cost = np.stack([((places - places[seed]) ** 2).sum(axis=1) for seed in (near, far)], axis=1)
     return grown(cost, np.array([near, far]), np.where(own[beside] & own[:, None], beside, -1))
 
