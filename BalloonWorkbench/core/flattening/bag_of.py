@@ -11,11 +11,14 @@ import numpy as np
 from BalloonWorkbench.core.bags.bag import Bag, BagPanel, BagSeam, Side
 from BalloonWorkbench.core.bags.mesh_bag import MeshedBag
 from BalloonWorkbench.core.bags.opening import free_opening
+from BalloonWorkbench.core.flattening.flatten import flatten
 from BalloonWorkbench.core.flattening.loops import SeamSide, panel_loops
 from BalloonWorkbench.core.flattening.seam_curves import smooth_line
 from BalloonWorkbench.core.flattening.seam_points import with_equal_seams
+from BalloonWorkbench.core.flattening.unrolled import UnrolledPanel, unrolled_panels
 from BalloonWorkbench.core.geometry.polyline import length, line_lengths, point_on, signed_area
 from BalloonWorkbench.core.geometry.triangulation import Located
+from BalloonWorkbench.core.memoize import memoized
 from BalloonWorkbench.core.targets.target import Division
 from BalloonWorkbench.core.types import Floats
 
@@ -23,6 +26,8 @@ from BalloonWorkbench.core.types import Floats
 PER_DIAGONAL, FEWEST = 80, 4
 #: Edges of a span of the smooth curve of a seam, and how far that may be from the seam, of the diagonal.
 PER_SPAN, AWAY = 4.0, 2e-3
+#: Points of all seams together that make areas exact, at most.
+MOST_EXACT = 10_000
 
 
 @dataclass(frozen=True)
@@ -55,21 +60,33 @@ class FlatBody:
         return np.concatenate(parts)
 
 
-def bag_of(division: Division, flats: Sequence[Floats]) -> FlatBody:
-    """The bag of panels laid flat. Its opening is in the middle of a long seam, with room for an intake."""
-    counts, diagonal = edge_counts(division), division.target.diagonal
+@memoized(4)
+def flat_body(division: Division, *, exact: bool = False) -> FlatBody:
+    """A division laid flat as it is, before any correction; exact: as bag_of. Raises what flatten raises."""
+    return bag_of(division, flatten(division), exact=exact)
+
+
+def bag_of(division: Division, flats: Sequence[Floats], *, exact: bool = False) -> FlatBody:
+    """The bag of panels laid flat. Its opening is in the middle of a long seam, with room for an intake.
+
+    exact  panels that unroll get so many points that their areas are exact, too
+    """
+    known, diagonal = unrolled_panels(division), division.target.diagonal
+    counts = edge_counts(division)
+    if exact:
+        counts = _for_areas(division, counts, known)
     flat = np.concatenate(flats)
     space = division.target.points[division.opened.vertices]
     panels, places, ends = [], [], {}
     for number, loops in enumerate(panel_loops(division)):
-        rims = [_sampled(loop, flat, counts, diagonal) for loop in loops]
+        rims = [_sampled(loop, flat, counts, diagonal, known.get(number)) for loop in loops]
         order = sorted(range(len(loops)), key=lambda k: -abs(signed_area(rims[k])))
         panels.append(BagPanel(division.names[number], rims[order[0]], tuple(rims[k] for k in order[1:])))
         places.append(np.concatenate([_sampled(loops[k], space, counts, diagonal) for k in order]))
         for at, k in enumerate(order):
             ends.update(_ends(loops[k], counts, number, at))
     seams = tuple(BagSeam(ends[k, False], ends[k, True]) for k in range(len(division.seams)))
-    level = with_equal_seams(Bag(tuple(panels), seams))
+    level = with_equal_seams(Bag(tuple(panels), seams), known)
     bag = Bag(level.panels, seams, free_opening(level.panels, seams), notes=division.target.notes)
     return FlatBody(division, tuple(flats), bag, tuple(places))
 
@@ -81,15 +98,40 @@ def edge_counts(division: Division) -> list[int]:
     return [max(FEWEST, round(each * per_length)) for each in lengths]
 
 
-def _sampled(loop: list[SeamSide], points: Floats, counts: list[int], diagonal: float) -> Floats:
-    """Points (k, d) round a loop, at equal distances along each seam."""
+def _for_areas(division: Division, counts: list[int], known: dict[int, UnrolledPanel]) -> list[int]:
+    """At least so many edges of each seam, and so many that the areas of panels that unroll are exact."""
+    needs = list(counts)
+    loops = panel_loops(division)
+    for number, panel in known.items():
+        sides = [side for loop in loops[number] for side in loop]
+        area = float(division.target.areas[division.panels == number].sum())
+        for side in sides:
+            needed = panel.edges_needed(side.vertices, area, len(sides))
+            needs[side.seam] = max(needs[side.seam], needed)
+    # very many small panels are as exact as so many points allow
+    share = min(1.0, MOST_EXACT / max(sum(needs), 1))
+    return [max(count, round(share * needed)) for count, needed in zip(counts, needs)]
+
+
+def _sampled(
+    loop: list[SeamSide],
+    points: Floats,
+    counts: list[int],
+    diagonal: float,
+    known: UnrolledPanel | None = None,
+) -> Floats:
+    """Points (k, d) round a loop, at equal distances along each seam; known: of a panel that unrolls."""
     parts = []
     for side in loop:
         count = counts[side.seam]
-        first = max(2, round(count / PER_SPAN))
-        line = smooth_line(points[side.vertices], first, max(first, count), AWAY * diagonal)
+        if known is not None:
+            line = known.line(side.vertices)
+        else:
+            most = min(count, max(FEWEST, round(length(points[side.vertices]) * PER_DIAGONAL / diagonal)))
+            first = max(2, round(most / PER_SPAN))
+            line = smooth_line(points[side.vertices], first, max(first, most), AWAY * diagonal)
         lengths = line_lengths(line)
-        parts.append(point_on(line, lengths, np.linspace(0.0, lengths[-1], counts[side.seam] + 1)[:-1]))
+        parts.append(point_on(line, lengths, np.linspace(0.0, lengths[-1], count + 1)[:-1]))
     return np.concatenate(parts)
 
 

@@ -9,26 +9,15 @@ a circle instead, each inner point in the mean of those beside it, which never f
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from BalloonWorkbench.core.packages import without_scipy
+from BalloonWorkbench.core.flattening.factor import factored, sparse
 from BalloonWorkbench.core.targets.half_edges import half_edges
 from BalloonWorkbench.core.types import Floats, Ints
 
 Complex = NDArray[np.complex128]
-
-
-def sparse() -> Any:
-    """scipy.sparse. Raises MissingPackageError."""
-    try:
-        import scipy.sparse
-        import scipy.sparse.linalg
-    except ImportError as error:
-        raise without_scipy("Flattening needs scipy: install it with pip install scipy.") from error
-    return scipy.sparse
 
 
 def own_planes(points: Floats, triangles: Ints) -> Complex:
@@ -75,7 +64,7 @@ def _conformal(points: Floats, triangles: Ints, rim: Ints) -> Complex:
     places[last] = max(float(distances.max()), 1e-300)
     adjoint = matrix[:, free].conj().T.tocsr()
     normal = (adjoint @ matrix[:, free]).tocsc()
-    places[free] = package.linalg.splu(normal).solve(-(adjoint @ (matrix @ places)))
+    places[free] = factored(normal).solve(-(adjoint @ (matrix @ places)))
     return places
 
 
@@ -97,6 +86,6 @@ def _in_circle(points: Floats, triangles: Ints, loops: Sequence[Ints]) -> Comple
     places[rim] = np.exp(1j * angles)
     if len(free):
         loads = -(laplacian[free] @ places)
-        solve = package.linalg.splu(laplacian[free][:, free].tocsc()).solve
+        solve = factored(laplacian[free][:, free]).solve
         places[free] = solve(loads.real) + 1j * solve(loads.imag)
     return places[:count]

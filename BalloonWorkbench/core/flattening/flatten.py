@@ -18,21 +18,21 @@ from BalloonWorkbench.core.flattening.conformal import (
     laid_flat,
     own_planes,
     signed_areas_of,
-    sparse,
 )
 from BalloonWorkbench.core.flattening.equal_seams import equal_lengths, mean_edges
+from BalloonWorkbench.core.flattening.factor import factored, sparse
+from BalloonWorkbench.core.flattening.level import level_turn
 from BalloonWorkbench.core.flattening.loops import loop_vertices, panel_loops
-from BalloonWorkbench.core.geometry.polyline import edge_vectors
-from BalloonWorkbench.core.geometry.vectors import rotation
+from BalloonWorkbench.core.flattening.unrolled import unrolled_panels
+from BalloonWorkbench.core.memoize import memoized
 from BalloonWorkbench.core.targets.target import Division
-from BalloonWorkbench.core.types import Floats, Ints
+from BalloonWorkbench.core.types import Bools, Floats, Ints
 
-#: Boxes whose areas differ by less are equally small.
-_SAME_AREA = 1e-6
 #: Weights of equal lengths beside those of rigid triangles, and so many passes with each.
 STAGES, PASSES = (1.0, 4.0, 16.0), 25
 
 
+@memoized(2)
 def flatten(division: Division) -> list[Floats]:
     """Places (k, 2) m of the opened vertices of each panel, counter-clockwise as seen from outside.
 
@@ -41,8 +41,12 @@ def flatten(division: Division) -> list[Floats]:
     opened = division.opened
     points = division.target.points[opened.vertices]
     places = np.zeros(len(points), dtype=np.complex128)
+    known = unrolled_panels(division)
     for number, loops in enumerate(panel_loops(division)):
         first, last = np.searchsorted(opened.panels, [number, number + 1])
+        if number in known:
+            places[first:last] = known[number].places @ (1.0, 1j)
+            continue
         own = division.panels == number
         rims = [loop_vertices(loop) - first for loop in loops]
         places[first:last] = laid_flat(
@@ -52,28 +56,18 @@ def flatten(division: Division) -> list[Floats]:
             float(division.target.areas[own].sum()),
         )
     pairs = _seam_edges(division)
-    stiff = _Rigid(points, opened.triangles, opened.panels, pairs)
-    for weight in STAGES:
-        places = stiff.relaxed(places, weight, PASSES)
-    places = equal_lengths(places, pairs)
+    held = np.isin(opened.panels, list(known))
+    if not held.all():
+        stiff = _Rigid(points, opened.triangles, opened.panels, pairs, held)
+        for weight in STAGES:
+            places = stiff.relaxed(places, weight, PASSES)
+        places = equal_lengths(places, pairs, held)
     flat = np.column_stack([places.real, places.imag])
     stops = np.searchsorted(opened.panels, np.arange(1, len(division.names)))
-    return [_level(panel) for panel in np.split(flat, stops)]
-
-
-def _level(panel: Floats) -> Floats:
-    """Points (k, 2) turned so that the smallest box round them is level, its longer side along x."""
-    from scipy.spatial import ConvexHull
-
-    hull = panel[ConvexHull(panel).vertices]
-    sides = edge_vectors(hull)
-    angles = np.arctan2(sides[:, 1], sides[:, 0])
-    boxes = np.array([np.ptp(hull @ rotation(-angle), axis=0) for angle in angles])
-    areas = boxes.prod(axis=1)
-    best = int(np.argmax(areas <= areas.min() * (1.0 + _SAME_AREA)))
-    upright = boxes[best, 1] > boxes[best, 0] * (1.0 + _SAME_AREA)
-    level: Floats = panel @ rotation(-float(angles[best]) - (0.5 * np.pi if upright else 0.0))
-    return level
+    return [
+        known[number].places if number in known else panel @ level_turn(panel)
+        for number, panel in enumerate(np.split(flat, stops))
+    ]
 
 
 def _seam_edges(division: Division) -> Ints:
@@ -87,12 +81,13 @@ def _seam_edges(division: Division) -> Ints:
 
 @dataclass(frozen=True)
 class _Rigid:
-    """Triangles that want to stay as they are in space, and edges of seams."""
+    """Triangles that want to stay as they are in space, and edges of seams; held (n,): what is not moved."""
 
     points: Floats
     triangles: Ints
     panels: Ints
     pairs: Ints
+    held: Bools
 
     def relaxed(self, places: Complex, weight: float, passes: int) -> Complex:
         """Places (n,) after so many passes with this weight of equal lengths."""
@@ -104,12 +99,15 @@ class _Rigid:
         starts = np.concatenate([begin.ravel(), seams[:, 0]])
         ends = np.concatenate([end.ravel(), seams[:, 1]])
         weights = np.concatenate([halves.ravel(), np.full(len(seams), weight)])
-        solve = _laplace_solver(starts, ends, weights, self.panels)
+        fixed = self.held | (np.diff(self.panels, prepend=-1) != 0)
+        solve = _laplace_solver(starts, ends, weights, fixed, places)
         for _ in range(passes):
             now = places[end] - places[begin]
             turned = (halves * now * np.conj(edges)).sum(axis=1)
             turned /= np.maximum(np.abs(turned), 1e-300)
-            goals = np.concatenate([(turned[:, None] * edges).ravel(), mean_edges(places, self.pairs)])
+            goals = np.concatenate(
+                [(turned[:, None] * edges).ravel(), mean_edges(places, self.pairs, self.held)]
+            )
             pulls = weights * goals
             loads = np.zeros(len(places), dtype=np.complex128)
             np.add.at(loads, ends, pulls)
@@ -125,21 +123,24 @@ def _cotangents(corners: Complex) -> Floats:
     return np.asarray(product.real / np.maximum(product.imag, 1e-12 * np.abs(product) + 1e-300))
 
 
-def _laplace_solver(starts: Ints, ends: Ints, weights: Floats, panels: Ints) -> Any:
-    """Solves for places (n,) complex; the first vertex of each panel is held at 0."""
-    package, count = sparse(), len(panels)
+def _laplace_solver(starts: Ints, ends: Ints, weights: Floats, fixed: Bools, places: Complex) -> Any:
+    """Solves for places (n,) complex; those that are fixed (n,) stay where they are."""
+    package, count = sparse(), len(fixed)
     rows = np.concatenate([starts, ends, starts, ends])
     columns = np.concatenate([starts, ends, ends, starts])
     values = np.concatenate([weights, weights, -weights, -weights])
     matrix = package.csc_matrix((values, (rows, columns)), shape=(count, count))
-    free = np.flatnonzero(np.diff(panels, prepend=-1) == 0)
-    factor = package.linalg.splu(matrix[free][:, free], permc_spec="MMD_AT_PLUS_A")
+    free = np.flatnonzero(~fixed)
+    factor = factored(matrix[free][:, free])
+    still = np.where(fixed, places, 0.0)
+    pulled = (matrix @ still)[free]
 
     def solve(loads: Complex) -> Complex:
-        places = np.zeros(count, dtype=np.complex128)
-        both = factor.solve(np.column_stack([loads[free].real, loads[free].imag]))
-        places[free] = both[:, 0] + 1j * both[:, 1]
-        return places
+        solved = still.copy()
+        missing = loads[free] - pulled
+        both = factor.solve(np.column_stack([missing.real, missing.imag]))
+        solved[free] = both[:, 0] + 1j * both[:, 1]
+        return solved
 
     return solve
 

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import replace
 from itertools import pairwise
 
@@ -29,6 +30,13 @@ def at_points(bag: Bag, points: Floats) -> Bag:
     return replace(bag, panels=tuple(panels))
 
 
+def panel_points(bag: Bag) -> list[Ints]:
+    """For each panel the numbers (k,) of the points of its loops among all."""
+    counts = [sum(map(len, panel.loops)) for panel in bag.panels]
+    stops = np.cumsum([0, *counts])
+    return [np.arange(low, high, dtype=np.int32) for low, high in pairwise(stops)]
+
+
 def seam_points(bag: Bag) -> list[tuple[Ints, Ints]]:
     """For each seam the numbers (k,) of the points along its first and second side, as sealed."""
     starts: list[list[int]] = []
@@ -47,15 +55,18 @@ def seam_points(bag: Bag) -> list[tuple[Ints, Ints]]:
     ]
 
 
-def with_equal_seams(bag: Bag) -> Bag:
+def with_equal_seams(bag: Bag, still: Collection[int] = ()) -> Bag:
     """The bag with points moved as little as can be so that both sides of each edge of a seam are as long.
 
-    Both sides of each seam have the same number of points.
+    Both sides of each seam have the same number of points. Some panels stay still: a seam between two of
+    these keeps its sides.
     """
     points = all_points(bag)
     pairs = [
         np.stack([np.column_stack([side[:-1], side[1:]]) for side in sides], axis=1)
         for sides in seam_points(bag)
     ]
-    moved = equal_lengths(points[:, 0] + 1j * points[:, 1], np.concatenate(pairs))
+    counts = [sum(map(len, panel.loops)) for panel in bag.panels]
+    held = np.repeat([number in still for number in range(len(counts))], counts)
+    moved = equal_lengths(points[:, 0] + 1j * points[:, 1], np.concatenate(pairs), held)
     return at_points(bag, np.column_stack([moved.real, moved.imag]))
