@@ -29,7 +29,10 @@ from BalloonWorkbench.core.bag_design.gore_fit import RisingPressure, fit_gores,
 from BalloonWorkbench.core.bag_design.inflate_bag import inflate_bag
 from BalloonWorkbench.core.bag_design.source import (
     MESH,
+    NO_READERS,
     PANELS,
+    SOLID,
+    Readers,
     Source,
     check_together,
     division_of_size,
@@ -53,6 +56,7 @@ from BalloonWorkbench.core.job import Settings, numbered, read_shapes, share_of,
 from BalloonWorkbench.core.making.bag_numbers import bag_numbers, inner_film, width_of
 from BalloonWorkbench.core.making.numbers import Numbers, numbers_report
 from BalloonWorkbench.core.making.trade_figures import making
+from BalloonWorkbench.core.making.welding import welding_report, welding_time
 from BalloonWorkbench.core.options.body import ACCURACY, BandOptions, BodyOptions
 from BalloonWorkbench.core.options.option import unusual
 from BalloonWorkbench.core.outline.budget import Budget
@@ -69,8 +73,8 @@ from BalloonWorkbench.core.results.stl import stl_bytes
 from BalloonWorkbench.core.rounded import rounded
 from BalloonWorkbench.core.solver.volume_load import search_pressure
 from BalloonWorkbench.core.target_design.fit_target import TargetMode, fit_target, inflate_target
+from BalloonWorkbench.core.target_design.panel_count import fit_body_to_accuracy
 from BalloonWorkbench.core.targets.target import Division
-from BalloonWorkbench.core.tracing.picture import Decode
 from BalloonWorkbench.core.types import Attempt, Progress, insist, no_progress, part_of, rising
 
 _OFF = 1e-3  # of a volume that was asked for
@@ -88,7 +92,7 @@ def read_sources(
     settings: Settings,
     width: float | None = None,
     height: float | None = None,
-    decode: Decode | None = None,
+    readers: Readers = NO_READERS,
 ) -> tuple[Source, ...]:
     """What a file and the options ask for in many panels, the largest first; empty: two equal panels.
 
@@ -105,13 +109,13 @@ def read_sources(
         needed = settings.pattern.intake and not settings.pattern.opening
         check_bag(bag, width_of_weld, opening_needed=needed)
         return (bag,)
-    if form == MESH:
-        return (division_of_size(path, settings.target, width, height),)
+    if form in (MESH, SOLID):
+        return (division_of_size(path, settings.target, width, height, readers.solid),)
     if form or settings.body != BodyOptions():
         return (profile_of_size(path, settings.body, width, height),)
     if settings.side_band == BandOptions():
         return ()
-    return read_shapes(path, settings, width, height, decode)[0].parts
+    return read_shapes(path, settings, width, height, readers.decode)[0].parts
 
 
 def design_bag(source: Source, settings: Settings, progress: Progress = no_progress) -> BagDesign:
@@ -191,6 +195,8 @@ def _divided(division: Division, settings: Settings, pressure: float, progress: 
     }
     if not settings.correct:
         return inflate_target(division, film, pressure, **own)
+    if settings.body.accuracy is not None:
+        return fit_body_to_accuracy(division.target, settings.body.accuracy, film, pressure, **own)
     return fit_target(division, film, pressure, mode=TargetMode(target.lies, target.margin), **own)
 
 
@@ -265,7 +271,7 @@ def make_bags(
     width: float | None = None,
     height: float | None = None,
     scale: float = 1.0,
-    decode: Decode | None = None,
+    readers: Readers = NO_READERS,
     progress: Progress = no_progress,
     attempt: Attempt = insist,
 ) -> FinishedBags:
@@ -278,9 +284,8 @@ def make_bags(
     settings = rounded(settings)
     settings.filling.lightness()  # a mistake shows before the work
     outlined = settings.side_band != BandOptions() and width is None and height is None
-    sources = read_sources(
-        path, settings, START_WIDTH if settings.goal is not None and outlined else width, height, decode
-    )
+    width = START_WIDTH if settings.goal is not None and outlined else width
+    sources = read_sources(path, settings, width, height, readers)
     if not sources:
         raise InputError(
             f"'{Path(path).name}' has no panels of its own: give gores, or the width of a side band."
@@ -351,8 +356,22 @@ def _report(bags: FinishedBags, file: str) -> dict[str, Any]:
         )
         own, accuracy = (part.design, part.patterns, settings.film), settings.body.accuracy or ACCURACY
         advice = [finding_data(finding) for finding in bag_advice(*own, part.numbers.safety, accuracy)]
-        parts.append(data | {"maker": numbers_report(part.numbers), "advice": advice})
+        maker = numbers_report(part.numbers) | {"welding": _welding(part, settings)}
+        parts.append(data | {"maker": maker, "advice": advice})
     return together_bags(parts, bags.sheet) | {"options": unusual(settings.pattern)}
+
+
+def _welding(part: BagPart, settings: Settings) -> dict[str, Any]:
+    """How long its seams take."""
+    made, asked = part.patterns, settings.welding
+    return welding_report(
+        welding_time(
+            made.seam_length,
+            sum(seam.made for seam in made.seams),
+            asked.weld_speed,
+            asked.weld_handling,
+        )
+    )
 
 
 def bag_makers(bags: FinishedBags, results: str | None = None) -> dict[str, Callable[[], bytes]]:

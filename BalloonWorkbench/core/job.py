@@ -39,6 +39,7 @@ from BalloonWorkbench.core.making.weight import film_and_valve
 from BalloonWorkbench.core.options.body import BandOptions, BodyOptions, TargetOptions
 from BalloonWorkbench.core.options.drawing import ReadingOptions
 from BalloonWorkbench.core.options.film import DEFAULT_FILM
+from BalloonWorkbench.core.options.making import WeldingOptions
 from BalloonWorkbench.core.options.option import unusual
 from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.options.simulation import InflationOptions
@@ -72,7 +73,7 @@ class Settings(ReadingOptions, InflationOptions):
 
     film: of what; model: what is simulated; goal: what the size has to give; filling: what lifts;
     pattern: how the pattern is made; body: of a profile; side_band: between front and back of an outline;
-    target: into what a closed body is divided.
+    target: into what a closed body is divided; welding: how fast seams are made.
     """
 
     film: Film = field(default_factory=lambda: film(DEFAULT_FILM))
@@ -83,6 +84,7 @@ class Settings(ReadingOptions, InflationOptions):
     body: BodyOptions = field(default_factory=BodyOptions)
     side_band: BandOptions = field(default_factory=BandOptions)
     target: TargetOptions = field(default_factory=TargetOptions)
+    welding: WeldingOptions = field(default_factory=WeldingOptions)
 
     @property
     def intake(self) -> bool:

@@ -38,7 +38,7 @@ QT = {"PySide", "PySide2", "PySide6", "PyQt5", "PyQt6", "shiboken2", "shiboken6"
 
 #: The rooms of the core in the order of the data; a room uses only those before it.
 ROOMS = ["geometry", "files", "options", "pages", "language", "arcs", "outline", "tracing", "readers", "film"]
-ROOMS += ["panels", "mesh", "bags", "bodies", "targets", "segmentation", "flattening"]
+ROOMS += ["panels", "mesh", "bags", "bodies", "targets", "segmentation", "seam_edits", "flattening"]
 ROOMS += ["solver", "design", "correction", "bag_design", "target_design", "results"]
 ROOMS += ["pattern", "bag_pattern", "nesting", "making"]
 ROOMS += ["machines", "pictures", "artwork", "assembly_sheet", "advice", "reports"]
@@ -310,7 +310,7 @@ BORDERS = {
     "BalloonWorkbench/core/nesting/nest.py": "the thread of the search",
     "BalloonWorkbench/core/files/foreign_reader.py": "readers of other projects",
     "BalloonWorkbench/cli/command_line.py": "the command line",
-    "BalloonWorkbench/cli/document.py": "FreeCAD's process beside it",
+    "BalloonWorkbench/cli/freecad_process.py": "FreeCAD's process beside it",
     "BalloonWorkbench/app/api.py": "the Python API",
     "BalloonWorkbench/app/border/guard.py": "what FreeCAD calls in our objects, views and observers",
     "BalloonWorkbench/app/border/status.py": "a recompute",

@@ -289,7 +289,7 @@ def test_docs_have_the_words_of_makers(name: str) -> None:
 MANY = "pixels millimetres letters notches copies balloons pages degrees shapes dots elements groups points"
 MANY += " pieces lines vertices does has was its this times belongs calls crosses eases encloses ends follows"
 MANY += " bears begins bodies gores holes joins lacks leans leaves lies lifts makes needs panels reads runs"
-MANY += " seams turns wants"
+MANY += " seams turns wants divides goes misses comes pass strips"
 
 
 def test_one_is_said_in_the_singular() -> None:

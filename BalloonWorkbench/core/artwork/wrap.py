@@ -14,6 +14,7 @@ import numpy as np
 
 from BalloonWorkbench.core.artwork.carry import VisibleFilm
 from BalloonWorkbench.core.bag_design.bag_design import BagDesign
+from BalloonWorkbench.core.bodies.gores import gores_of
 from BalloonWorkbench.core.bodies.profile import Profile
 from BalloonWorkbench.core.geometry.polyline import bounds
 from BalloonWorkbench.core.panels.panel import Panel
@@ -41,7 +42,7 @@ def wrapped(design: BagDesign, panels: Sequence[int]) -> tuple[list[VisibleFilm]
     heights = design.inflation.positions[:, 2]
     bottom, up = float(heights.min()), float(np.ptp(heights))
     # the picture begins at a seam: the first gore lies in the direction of x
-    begin = -np.pi / sum(panel.name.startswith("gore") for panel in design.bag.panels)
+    begin = -np.pi / gores_of(design.bag, design.source)
     films = [_unrolled(panel, places[number], radius, begin) for panel, number in zip(own, panels)]
     return films, np.array([0.0, bottom]), np.array([2.0 * np.pi * radius, up])
 

@@ -19,12 +19,13 @@ from BalloonWorkbench.core.bag_design.bag_design import BagDesign
 from BalloonWorkbench.core.bag_pattern.bag_patterns import BagPatterns
 from BalloonWorkbench.core.bag_pattern.order import LAST, JoinStep
 from BalloonWorkbench.core.bag_pattern.seams import SeamMark
+from BalloonWorkbench.core.bags.seam_colours import seam_colour
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.making.numbers import Numbers
 from BalloonWorkbench.core.packages import matplotlib_pdf
 from BalloonWorkbench.core.pages.fonts import Fonts, drawable, fonts_for, readable
 from BalloonWorkbench.core.pages.pdf import Page, pdf, picture
-from BalloonWorkbench.core.pictures.bag_picture import bag_picture, seam_colour, upright
+from BalloonWorkbench.core.pictures.bag_picture import bag_picture, upright
 from BalloonWorkbench.core.types import Floats, Say, in_english
 from BalloonWorkbench.core.units import length_text, number_text
 

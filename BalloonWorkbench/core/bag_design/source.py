@@ -4,7 +4,8 @@
 from __future__ import annotations
 
 import json
-from dataclasses import replace
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -12,22 +13,41 @@ import numpy as np
 from BalloonWorkbench.core.bags.bag import Bag
 from BalloonWorkbench.core.bodies.profile import Profile
 from BalloonWorkbench.core.bodies.read_profile import read_profile
-from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.errors import InputError, MissingPackageError
+from BalloonWorkbench.core.files.user_file import read_user_file
+from BalloonWorkbench.core.flattening.divide_flat import divide_flat
 from BalloonWorkbench.core.geometry.polyline import extent
+from BalloonWorkbench.core.options.body import FOLLOW, BandOptions, BodyOptions, TargetOptions
 from BalloonWorkbench.core.options.body import PANELS as PANELS_OF_MESH
-from BalloonWorkbench.core.options.body import BandOptions, BodyOptions, TargetOptions
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.readers.vector import read_bytes, vector_kind
-from BalloonWorkbench.core.segmentation.divide import divide
+from BalloonWorkbench.core.seam_edits.apply_edits import apply_edits
+from BalloonWorkbench.core.seam_edits.read_seams import edits_in
 from BalloonWorkbench.core.targets.read_target import is_mesh, read_target
-from BalloonWorkbench.core.targets.target import Division
+from BalloonWorkbench.core.targets.target import Division, Target
+from BalloonWorkbench.core.tracing.picture import Decode
 
 Source = Profile | Outline | Bag | Division
 
 #: What a JSON file of panels, or of a profile, has instead of the loops of an outline.
 PANELS = "panels"
-#: A file with a closed body.
-MESH = "mesh"
+#: A file with a closed body: triangles, or a solid, which FreeCAD reads.
+MESH, SOLID = "mesh", "solid"
+#: Kinds of files with solids, by the ends of their names.
+SOLIDS = ("step", "stp", "brep", "brp", "iges", "igs")
+#: What reads a solid: its file, and into how many panels it is divided, 0 for its faces.
+ReadSolid = Callable[[str, int], Division]
+
+
+@dataclass(frozen=True)
+class Readers:
+    """What reads the files that the engine does not: pictures of further kinds, and solids; None: nothing."""
+
+    decode: Decode | None = None
+    solid: ReadSolid | None = None
+
+
+NO_READERS = Readers()
 _MOST_BYTES = 8 << 20
 _KEYS = (PANELS, "profile", "natural_shape")
 
@@ -41,6 +61,8 @@ def form_of(path: str | Path) -> str | None:
     path = Path(path)
     if is_mesh(path):
         return MESH
+    if path.suffix.lower().lstrip(".") in SOLIDS:
+        return SOLID
     named: list[str] = []
     try:
         with path.open("rb") as file:
@@ -77,16 +99,31 @@ def check_together(
         raise InputError(f"'{name}' has its own panels: leave out what you give of gores or of a side band.")
     if form == PANELS and sized:
         raise InputError(f"'{name}' has the size of its panels: leave out the width and the height.")
-    if form == MESH and (gored or banded):
-        raise InputError(f"'{name}' is a body: leave out what you give of gores or of a side band.")
-    if form != MESH and target != TargetOptions():
-        raise InputError(f"'{name}' is no closed body: leave out --panels, or give an STL, OBJ, PLY or 3MF.")
+    if form in (MESH, SOLID):
+        _check_body(name, replace(body, accuracy=None) != BodyOptions() or banded, body, target)
+    elif target != TargetOptions():
+        raise InputError(
+            f"'{name}' is no closed body: leave out --panels, or give an STL, OBJ, PLY, 3MF or STEP."
+        )
     if form and banded:
         raise InputError(f"'{name}' is a profile, which has no side band: give a drawing for that.")
     if band.band > 0.0 and band.body_thickness > 0.0:
         raise InputError("The thickness of the balloon decides the width of its side band: give one of them.")
     if banded and not (band.band > 0.0 or band.body_thickness > 0.0):
         raise InputError("The side band has no width: give its width, or the thickness of the balloon.")
+
+
+def _check_body(name: str, other: bool, body: BodyOptions, target: TargetOptions) -> None:
+    """Raise InputError for what does not go together of a body; other: gores or a band are asked for."""
+    if other:
+        raise InputError(f"'{name}' is a body: leave out what you give of gores or of a side band.")
+    if body.accuracy is not None and target.panels:
+        raise InputError("The accuracy decides the number of panels: give one of them.")
+    if body.accuracy is not None and target.lies != FOLLOW:
+        raise InputError(
+            "An accuracy is for a balloon that follows its body: give the number of panels of one that"
+            " encloses or lines it."
+        )
 
 
 def profile_of_size(
@@ -98,18 +135,55 @@ def profile_of_size(
         raise InputError(
             f"'{Path(path).name}' has no profile: give half the outline of the body as an SVG, a DXF or JSON."
         )
-    own = np.array([2.0 * profile.points[:, 0].max(), np.ptp(profile.points[:, 1])])
-    scales = [asked / size for asked, size in zip((width, height), own) if asked is not None]
-    if not all(np.isfinite(scale) and scale > 0.0 for scale in scales):
-        raise InputError("The width and the height must be more than 0.")
-    return replace(profile, points=profile.points * min(scales, default=1.0))
+    own = [2.0 * profile.points[:, 0].max(), np.ptp(profile.points[:, 1])]
+    return replace(profile, points=profile.points * _smaller_scale((width, height), own))
 
 
 def division_of_size(
-    path: str | Path, options: TargetOptions, width: float | None = None, height: float | None = None
+    path: str | Path,
+    options: TargetOptions,
+    width: float | None = None,
+    height: float | None = None,
+    solid: ReadSolid | None = None,
 ) -> Division:
-    """The body in a mesh file, so wide or high [m], in as many panels as wanted."""
-    return divide(read_target(path, width, height), options.panels or PANELS_OF_MESH)
+    """The body in a file, so wide or high [m], in as many panels as wanted, with the user's seams.
+
+    Raises MissingPackageError for a solid where there is nothing that reads it.
+    """
+    edits = edits_in(options.seams)
+    if form_of(path) == SOLID:
+        read_user_file(Path(path), 1)  # a mistake in its name shows before the work
+        if solid is None:
+            raise MissingPackageError(
+                f"'{Path(path).name}' is read by FreeCAD, which is not there: install it for the Python that"
+                " runs this, or give an STL of the solid."
+            )
+        return apply_edits(of_size(solid(str(path), options.panels or 0), width, height), edits)
+    division = divide_flat(read_target(path, width, height), options.panels or PANELS_OF_MESH)
+    return apply_edits(division, edits)
+
+
+def of_size(division: Division, width: float | None, height: float | None) -> Division:
+    """The division of a body so wide and high [m], along x and z; inside both where both are given."""
+    return division.scaled(_scale_of(division.target, width, height)).rounded()
+
+
+def target_of_size(target: Target, width: float | None, height: float | None) -> Target:
+    """The same of the body alone."""
+    return replace(target, points=target.points * _scale_of(target, width, height))
+
+
+def _scale_of(target: Target, width: float | None, height: float | None) -> float:
+    size = np.ptp(target.points, axis=0)[[0, 2]].tolist()
+    return _smaller_scale((width, height), size)
+
+
+def _smaller_scale(asked: tuple[float | None, float | None], sizes: Sequence[float]) -> float:
+    """How many times as large a body becomes that shall be so wide or high [m]; InputError for no size."""
+    scales = [length / size for length, size in zip(asked, sizes) if length is not None]
+    if not all(np.isfinite(scale) and scale > 0.0 for scale in scales):
+        raise InputError("The width and the height must be more than 0.")
+    return min(scales, default=1.0)
 
 
 def size_of(source: Source) -> float:
@@ -130,7 +204,7 @@ def scaled(source: Source, scale: float) -> Source:
     if isinstance(source, Profile):
         return replace(source, points=source.points * scale)
     if isinstance(source, Division):
-        return replace(source, target=replace(source.target, points=source.target.points * scale))
+        return source.scaled(scale)
     panels = [
         replace(panel, outer=panel.outer * scale, holes=tuple(hole * scale for hole in panel.holes))
         for panel in source.panels

@@ -122,7 +122,7 @@ class MeshedBag:
 
     def rest_moves(self, point_moves: Sequence[Floats]) -> Floats:
         """Moves (n, 2, k) of all vertices for moves (points, 2, k) of each panel's points."""
-        moves = [np.einsum("vp,pdk->vdk", *each) for each in zip(self.weights, point_moves, strict=True)]
+        moves = [np.tensordot(*each, 1) for each in zip(self.weights, point_moves, strict=True)]
         return np.concatenate(moves)
 
     def places(self, points: Sequence[Floats]) -> Floats:

@@ -113,8 +113,16 @@ def nearest_along(loop: Floats, points: Floats, around: Floats, reach: Floats) -
     return point_at(loop, lengths, np.where(np.isfinite(away[row, best]), along[row, best], around))
 
 
+def away_from_line(line: Floats, place: Floats) -> float:
+    """How far a place (3,) in space is from a line (k, 3)."""
+    start, step = line[:-1], np.diff(line, axis=0)
+    share = ((place - start) * step).sum(axis=1) / np.maximum((step * step).sum(axis=1), 1e-300)
+    feet = start + np.clip(share, 0.0, 1.0)[:, None] * step
+    return float(np.linalg.norm(place - feet, axis=1).min())
+
+
 def kd_tree(points: Floats) -> Any:
-    """scipy's k-d tree of points (n, 2)."""
+    """scipy's k-d tree of points (n, d)."""
     try:
         from scipy.spatial import cKDTree
     except ImportError as error:

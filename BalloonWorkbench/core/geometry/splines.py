@@ -77,3 +77,13 @@ def nearest_spline(loop: Floats, splines: Floats, values: Floats) -> Floats:
     """What splines (n, k) make nearest to values (n, d) at the points of a closed loop (n, 2): (n, d)."""
     root = np.sqrt(point_weights(loop))[:, None]
     return np.asarray(splines @ np.linalg.lstsq(root * splines, root * values, rcond=None)[0])
+
+
+def through(at: Floats) -> Floats:
+    """Polynomials (k, 5) through five even places, at (k,) from 0 to 1."""
+    knots = np.arange(5) / 4.0
+    shapes = [
+        np.prod([(at - knots[j]) / (knots[k] - knots[j]) for j in range(5) if j != k], axis=0)
+        for k in range(5)
+    ]
+    return np.stack(shapes, axis=1)

@@ -13,12 +13,14 @@ from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.units import from_mm
 
 FILE = RESOURCES / "making.json"
+_MINUTE = 60.0
 
 
 @dataclass(frozen=True)
 class Making:
     """roll_width [m]; safety: strength over load; valve_film [kg/m2]; seals [N/m] by film; seal_share of the
-    film's strength otherwise; prices per m3 of gas by name; sources."""
+    film's strength otherwise; prices per m3 of gas by name; weld_speed [m/s] along a seam; handling [s] of
+    each seam beside that; sources."""
 
     roll_width: float
     safety: float
@@ -27,6 +29,8 @@ class Making:
     seal_share: float
     currency: str
     prices: Mapping[str, float]
+    weld_speed: float
+    handling: float
     note: str
     sources: tuple[str, ...]
 
@@ -51,6 +55,8 @@ def making() -> Making:
             float(data["seal_share_otherwise"]),
             str(data["currency"]),
             {str(name): float(value) for name, value in data["gas_price_per_m3"].items()},
+            float(data["weld_speed_m_per_min"]) / _MINUTE,
+            float(data["handling_min_per_seam"]) * _MINUTE,
             str(data["note"]),
             tuple(str(source) for source in data["sources"]),
         )

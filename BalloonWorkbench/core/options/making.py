@@ -33,6 +33,17 @@ class MachineOptions:
 
 
 @dataclass(frozen=True)
+class WeldingOptions:
+    """How fast seams are welded; None is as usual."""
+
+    weld_speed: float | None = MAKING(Kind.NUMBER, None,
+        "How fast a seam is welded, in metres a minute, for the hours that a balloon takes", prop="",
+        least=0.001, most=1000.0)
+    weld_handling: float | None = MAKING(Kind.NUMBER, None,
+        "Minutes for each seam beside welding it, to lay its edges on each other", prop="", most=10000.0)
+
+
+@dataclass(frozen=True)
 class ResultOptions:
     """Files about what the film does."""
 

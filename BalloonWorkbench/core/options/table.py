@@ -12,6 +12,7 @@ from BalloonWorkbench.core.options.making import (
     MachineOptions,
     ResultOptions,
     SheetOptions,
+    WeldingOptions,
 )
 from BalloonWorkbench.core.options.option import Option, options_of
 from BalloonWorkbench.core.options.pattern import PatternOptions
@@ -32,6 +33,7 @@ DECLARED: tuple[type, ...] = (
     ModelOptions,
     PatternOptions,
     MachineOptions,
+    WeldingOptions,
     ResultOptions,
     AssemblyOptions,
     ArtworkOptions,

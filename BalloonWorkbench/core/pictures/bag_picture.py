@@ -3,12 +3,12 @@
 
 from __future__ import annotations
 
-import colorsys
 from collections.abc import Collection, Mapping
 
 import numpy as np
 
 from BalloonWorkbench.core.bag_design.bag_design import BagDesign
+from BalloonWorkbench.core.bags.seam_colours import seam_colour
 from BalloonWorkbench.core.bodies.profile import Profile
 from BalloonWorkbench.core.geometry.polyline import extent
 from BalloonWorkbench.core.geometry.vectors import unit
@@ -19,17 +19,10 @@ from BalloonWorkbench.core.types import Floats, Ints
 
 #: Width of a seam's colour on each side of it, and how far it lies over the film; of the balloon's size.
 _RIBBON, _ABOVE = 0.011, 0.004
-#: Of hues, from one number to the next: neighbours differ, none comes again.
-_GOLDEN = 0.5 * (5.0**0.5 - 1.0)
+#: The ends of names of files in which y is up.
+_Y_UP = ".obj"
 #: The inner side of film, where it is seen; how far a seam above or below turns toward the eye.
 _INNER, _LEAN = 0.55, 0.8
-
-
-def seam_colour(number: int) -> str:
-    """The colour of a seam, on both its edges and in all pictures, such as #ff0000; numbers are from 1."""
-    hue = (0.02 + _GOLDEN * (number - 1)) % 1.0
-    red, green, blue = colorsys.hls_to_rgb(hue, 0.42, 0.85)
-    return "#" + "".join(f"{round(255 * part):02x}" for part in (red, green, blue))
 
 
 def bag_picture(
@@ -66,8 +59,13 @@ def bag_picture(
 
 
 def upright(design: BagDesign) -> Floats:
-    """Places (n, 3) m of all vertices, y up and z to the front: a gored body stands on its axis."""
+    """Places (n, 3) m of all vertices, y up and z to the front: a gored body stands on its axis.
+
+    Of bodies z is up, as in CAD and on 3D printers, but for OBJ files: what writes those has y up.
+    """
     places = design.inflation.positions
+    if isinstance(design.source, Division) and design.source.target.source.lower().endswith(_Y_UP):
+        return places
     if isinstance(design.source, Profile | Division):
         return np.ascontiguousarray(places[:, [0, 2, 1]] * (1.0, 1.0, -1.0))
     return places

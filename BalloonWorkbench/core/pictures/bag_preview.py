@@ -11,11 +11,12 @@ import numpy as np
 from BalloonWorkbench.core.bag_design.bag_design import BagDesign
 from BalloonWorkbench.core.bag_pattern.bag_patterns import BagPatterns
 from BalloonWorkbench.core.bag_pattern.seams import side_lines
+from BalloonWorkbench.core.bags.seam_colours import seam_colour
 from BalloonWorkbench.core.bodies.profile import Profile
 from BalloonWorkbench.core.geometry.polyline import bounds
 from BalloonWorkbench.core.machines.layers import LAYERS
 from BalloonWorkbench.core.pattern.pattern import Role
-from BalloonWorkbench.core.pictures.bag_picture import bag_picture, seam_colour, upright
+from BalloonWorkbench.core.pictures.bag_picture import bag_picture, upright
 from BalloonWorkbench.core.pictures.cards import (
     CARD,
     HEIGHT,

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import asdict
 from typing import Any
 
 import numpy as np
@@ -32,6 +33,7 @@ from BalloonWorkbench.core.reports.report import (
     pattern_data,
     solve_data,
 )
+from BalloonWorkbench.core.results.body_figures import BodyFigures, body_figures
 from BalloonWorkbench.core.results.panel_states import panel_states
 from BalloonWorkbench.core.targets.target import Division
 from BalloonWorkbench.core.units import to_mm
@@ -40,7 +42,7 @@ from BalloonWorkbench.core.units import to_mm
 PROFILE, BANDED, BODY, BAG = "profile", "outline", "body", "bag"
 #: What the report tells of each balloon.
 _OF_A_PART = (
-    *("pressure_Pa", "mesh", "solve", "design", "target", "inflated", "panels", "seams", "assembly"),
+    *("pressure_Pa", "mesh", "solve", "design", "target", "body", "inflated", "panels", "seams", "assembly"),
     *("surface", "pattern", "maker", "advice", "warnings"),
 )
 
@@ -61,6 +63,7 @@ def build_bag(
     solved = design.inflation.report
     angles = [float(min_angles(panel).min()) for panel in design.inflation.assembly.panels]
     offsets = design.inflation.assembly.offsets
+    figures = body_figures(design, film)
     return {
         "schema": SCHEMA,
         "input": {"file": file, "kind": kind_of(design)},
@@ -76,9 +79,10 @@ def build_bag(
         "solve": solve_data(solved),
         "design": _design(design),
         "target": _target(design),
+        "body": None if figures is None else figures_data(figures, design),
         "inflated": _inflated(design),
         "goal": None if goal is None else goal_data(goal),
-        "panels": _panels(design, patterns, film),
+        "panels": _panels(design, patterns, film, figures),
         "seams": [_seam(design, mark) for mark in patterns.seams],
         "assembly": [_step(design, step) for step in patterns.order],
         "surface": _surface(design),
@@ -163,6 +167,24 @@ def _target(design: BagDesign) -> dict[str, Any] | None:
     return None
 
 
+def figures_data(figures: BodyFigures, design: BagDesign) -> dict[str, Any]:
+    """How a balloon does the body that it was made for; distances both ways, the larger of both."""
+    error = design.residual
+    assert error is not None
+    return {
+        "distance_mm": _error(error),
+        "distance_of_diagonal": {name: value / design.size for name, value in asdict(error).items()},
+        "film_from_body_mm": _error(figures.from_film),
+        "body_from_film_mm": _error(figures.from_body),
+        "diagonal_mm": to_mm(design.size),
+        "clearance_mm": {"least": to_mm(figures.inmost), "most": to_mm(figures.outmost)},
+        "flattening_strain": asdict(figures.flattening),
+        "slack_share": figures.slack,
+        "wrinkled_share": figures.wrinkled,
+        "hidden_by_wrinkles": figures.hidden,
+    }
+
+
 def _rounded(points: Any) -> list[list[float]]:
     return [[round(float(value), 3) for value in to_mm(point)] for point in points]
 
@@ -180,7 +202,9 @@ def _inflated(design: BagDesign) -> dict[str, Any]:
     }
 
 
-def _panels(design: BagDesign, patterns: BagPatterns, film: Film) -> list[dict[str, Any]]:
+def _panels(
+    design: BagDesign, patterns: BagPatterns, film: Film, figures: BodyFigures | None
+) -> list[dict[str, Any]]:
     """Each panel of the bag in its order, with the pattern that it is cut from."""
     cut_from = {
         number: (copies.panels[0], mirrored, len(copies.panels))
@@ -206,6 +230,7 @@ def _panels(design: BagDesign, patterns: BagPatterns, film: Film) -> list[dict[s
                 "edge_mm": to_mm(sum(map(perimeter, panel.loops))),
                 "max_tension_N_per_m": state.largest_tension,
                 "area_shares": {"slack": state.slack, "wrinkled": state.wrinkled, "taut": state.taut},
+                "flattening_strain": None if figures is None else asdict(figures.of_panels[number]),
             }
         )
     return listed

@@ -7,7 +7,7 @@ import numpy as np
 
 from BalloonWorkbench.core.bag_design.bag_design import BagDesign
 from BalloonWorkbench.core.bag_design.gore_sections import beside_axis, off_profile
-from BalloonWorkbench.core.bodies.gores import GORE
+from BalloonWorkbench.core.bodies.gores import discs_of
 from BalloonWorkbench.core.bodies.profile import Profile
 from BalloonWorkbench.core.design.silhouette import silhouette
 from BalloonWorkbench.core.geometry.crossings import winding
@@ -38,13 +38,10 @@ def off_target(design: BagDesign) -> Floats | None:
 def _off_body(design: BagDesign, profile: Profile) -> Floats:
     positions, offsets = design.inflation.positions, design.meshed.assembly.offsets
     away, _ = off_profile(profile, beside_axis(positions))
-    for number, panel in enumerate(design.bag.panels):
-        if not panel.name.startswith(GORE):
-            own = slice(offsets[number], offsets[number + 1])
-            below = panel.name.startswith("lower")
-            end = profile.points[0 if below else -1, 1]
-            outward = (end - positions[own, 2]) if below else (positions[own, 2] - end)
-            away[own] = outward if panel.cut else 0.0
+    for number, end in discs_of(design.bag, profile):
+        own = slice(offsets[number], offsets[number + 1])
+        beyond = positions[own, 2] - profile.points[end, 1]
+        away[own] = (beyond if end else -beyond) if design.bag.panels[number].cut else 0.0
     return away
 
 

@@ -37,6 +37,8 @@ _ACROSS, _MOST_CELLS = 6, 700
 #: until the loads stay as they are.
 _TOLERANCES = (1e-7, 1e-9, 1e-11)
 _SAME = 0.01
+#: By so little more than 1, a ratio of two windows says nothing of what is gathered in a point.
+_TOLD_APART = 1e-9
 
 
 @dataclass(frozen=True)
@@ -204,7 +206,9 @@ def loads_along(steps: Floats, forces: Floats, width: float, even: float) -> Flo
         return np.asarray(mean)
     lengths, all_lengths = (_faded(at, around, own, half) for half in (near, far))
     most = far * all_lengths / (near * lengths)  # of the ratio below, where all is in one point
-    share = (gathered / lengths / np.maximum(mean, 1e-300) - 1.0) / (most - 1.0)
+    # edges longer than both windows cannot tell one from the other: there the load is even
+    excess = np.where(most > 1.0 + _TOLD_APART, most - 1.0, np.inf)
+    share = (gathered / lengths / np.maximum(mean, 1e-300) - 1.0) / excess
     return np.asarray(mean + np.clip(2.0 * share - 0.5, 0.0, 1.0) * np.maximum(gathered - mean, 0.0))
 
 

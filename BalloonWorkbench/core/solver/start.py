@@ -114,7 +114,9 @@ def dome(panel: Panel) -> Floats:
 
 
 def vertex_normals(positions: Floats, panel: Panel | FilmProblem) -> Floats:
-    """Area-weighted unit normals (n, 3); of one triangle where they cancel, as in a corner folded flat."""
+    """Area-weighted unit normals (n, 3); of one triangle where they cancel, as in a corner folded
+    flat; upwards where no triangle has an area.
+    """
     a, b, c = np.moveaxis(positions[panel.triangles], 1, 0)
     area_vectors = np.cross(b - a, c - a)
     corners = panel.triangles.astype(np.intp).ravel()
@@ -128,6 +130,8 @@ def vertex_normals(positions: Floats, panel: Panel | FilmProblem) -> Floats:
         of_one[corners] = np.repeat(area_vectors, 3, axis=0)
         normals[cancelled] = of_one[cancelled]
         lengths[cancelled] = np.linalg.norm(of_one[cancelled], axis=1)
+        bare = lengths == 0.0  # only triangles without an area lie there
+        normals[bare], lengths[bare] = (0.0, 0.0, 1.0), 1.0
     return np.asarray(normals / lengths[:, None])
 
 

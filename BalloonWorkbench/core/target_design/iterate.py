@@ -15,9 +15,12 @@ from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.flattening.bag_of import FlatBody
 from BalloonWorkbench.core.geometry.triangulation import Located
 from BalloonWorkbench.core.mesh.quality import flipped, worn
+from BalloonWorkbench.core.panels.surface import Surface
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.solver.model import Model
+from BalloonWorkbench.core.target_design.aim import Aim
+from BalloonWorkbench.core.target_design.curved_film import curved_film
 from BalloonWorkbench.core.target_design.off_target import (
     OffTarget,
     TargetSurface,
@@ -66,13 +69,19 @@ class TargetIterate:
         """Those of the balloon (n, 3) m."""
         return self.inflation.positions
 
-    def error(self, margin: float = 0.0) -> float:
-        """Root of the mean square of the distances from a surface so far outside of the target [m]."""
-        return float(np.linalg.norm(self.weights * (self.off.distances - margin)))
+    def error(self, aim: Aim) -> float:
+        """Mean distance from the surface that is wanted [m], as the aim counts it."""
+        return aim.cost(self.weights, self.off.distances)
 
     def residual(self, surface: TargetSurface) -> Residual:
         """How far the film is from the target [m]."""
-        return target_residual(surface, self.positions, self.meshed.assembly.surface.triangles)
+        inflation = self.inflation
+        return target_residual(surface, *curved_film(self.positions, inflation.directors, self.surface))
+
+    @property
+    def surface(self) -> Surface:
+        """The panels' triangles, and which of their vertices are one."""
+        return self.meshed.assembly.surface
 
 
 def make_target_iterate(

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -13,6 +13,7 @@ from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.geometry.crossings import first_crossing
 from BalloonWorkbench.core.geometry.polyline import signed_area
 from BalloonWorkbench.core.solver.sensitivity import position_changes
+from BalloonWorkbench.core.target_design.aim import Aim
 from BalloonWorkbench.core.target_design.iterate import TargetIterate
 from BalloonWorkbench.core.target_design.mirrored_panels import MirroredPanels
 from BalloonWorkbench.core.target_design.off_target import rigid_moves
@@ -20,67 +21,81 @@ from BalloonWorkbench.core.target_design.seam_unknowns import SeamUnknowns
 from BalloonWorkbench.core.types import Floats
 
 #: Weight of the bends of the bulges of a seam.
-BENDS = 1e-2
+BENDS = 3e-3
 #: A panel that would cross itself is held so much more, so often.
 _STIFFER, _TRIES = 30.0, 6
+#: Passes of least squares, in which each distance is weighted anew.
+_PASSES = 3
+_TINY = 1e-12  # of the largest diagonal entry, so that what moves nothing stays
 
 
 @dataclass(frozen=True)
 class LinearStep:
-    """Least squares: weighted distances (n,) m plus matrix @ values shall be small.
+    """Distances (n,) m from the target follow the values: distances + matrix @ values.
 
-    basis   (size, k) of the unknowns' values that keep the seams equally long
-    matrix  (n, k + 6), the last six for the balloon's shifts and turns as a whole
+    matrix  (n, size + 6), the last six for the balloon's shifts and turns as a whole
+    fresh   whether the matrix is that of this balloon, and not learnt from one before it
     """
 
     unknowns: SeamUnknowns
-    basis: Floats
+    current: TargetIterate
     matrix: Floats
-    away: Floats
+    fresh: bool = True
 
     @classmethod
     def of(
-        cls, current: TargetIterate, spans: list[int], film: Film, margin: float, backend: str | None
+        cls, current: TargetIterate, unknowns: SeamUnknowns, film: Film, backend: str | None
     ) -> LinearStep:
-        """That of an iterate; margin [m] from the target to the surface that is wanted."""
-        unknowns = SeamUnknowns.of(current.bag, spans)
+        """That of an iterate, whose seams the unknowns move."""
         moves = unknowns.rest_moves(current.meshed)
         changes = position_changes(current.inflation, film, moves, backend).changes
         follows = np.einsum("ni,nik->nk", current.off.directions, changes)
-        basis = unknowns.allowed()
         positions = current.positions - current.positions.mean(axis=0)
         rigid = rigid_moves(positions / np.ptp(positions), current.off.directions)
-        matrix = current.weights[:, None] * np.column_stack([follows @ basis, rigid])
-        return cls(unknowns, basis, matrix, current.weights * (current.off.distances - margin))
+        return cls(unknowns, current, np.column_stack([follows, rigid]))
 
-    def solved(self, damping: Floats) -> tuple[Floats, float]:
-        """The values (size,) m, and the error [m] that they would leave.
+    def followed(self, values: Floats, reached: TargetIterate) -> LinearStep:
+        """That of the balloon on the same mesh which the values (size + 6,) led to.
 
-        damping  weights (size,) of the values, in parts of what they do on average
+        The matrix is changed as little as can be so that it gives what has come out (Broyden 1965).
         """
-        free = self.basis.shape[1]
-        strength = np.sqrt((self.matrix[:, :free] ** 2).sum() / free)
-        small = strength * np.sqrt(damping)[:, None] * self.basis
-        bends = BENDS * self.unknowns.bends @ self.basis
-        held = np.pad(np.concatenate([small, bends]), ((0, 0), (0, 6)))
-        goals = np.concatenate([-self.away, np.zeros(len(held))])
-        values = np.linalg.lstsq(np.concatenate([self.matrix, held]), goals, rcond=None)[0]
-        left = float(np.linalg.norm(self.matrix @ values + self.away))
-        return np.asarray(self.basis @ values[:free]), left
+        missed = reached.off.distances - self.current.off.distances - self.matrix @ values
+        learnt = self.matrix + np.outer(missed, values) / (values @ values)
+        return replace(self, current=reached, matrix=learnt, fresh=False)
 
-    def unfolded(self, damping: float, mirrored: MirroredPanels) -> tuple[Bag, float]:
-        """The pattern for the values, with mirrored panels, and the error [m] that it would leave.
+    def solved(self, aim: Aim, damping: Floats) -> tuple[Floats, float]:
+        """The values (size + 6,) m, and the error [m] that they would leave.
+
+        damping  weights (k,) of the moves that the values consist of, in parts of what they do on average
+        """
+        size, weights = self.unknowns.size, self.current.weights
+        away = self.current.off.distances
+        basis, bends = self.unknowns.basis, BENDS * self.unknowns.bends
+        values = np.zeros(size + 6)
+        for _ in range(_PASSES):
+            shares = weights**2 * aim.shares(away + self.matrix @ values)
+            normal = self.matrix.T @ (shares[:, None] * self.matrix)
+            scale = float(shares.sum())
+            strength = float(np.trace(normal[:size, :size])) / size
+            normal[:size, :size] += strength * (basis.T * damping) @ basis + scale * (bends.T @ bends)
+            normal[np.diag_indices_from(normal)] += _TINY * float(normal.diagonal().max())
+            values = np.linalg.solve(normal, self.matrix.T @ (shares * (aim.margin - away)))
+        return values, aim.cost(weights, away + self.matrix @ values)
+
+    def unfolded(self, aim: Aim, damping: float, mirrored: MirroredPanels) -> tuple[Bag, Floats, float]:
+        """The pattern for the values, these (size + 6,), and the error [m] that they would leave.
 
         Where a panel would cross itself, its own values are damped more.
         """
-        weights = np.full(self.unknowns.size, damping)
+        owners = self.unknowns.owners
+        weights = np.full(len(owners), damping)
         for _ in range(_TRIES):
-            values, left = self.solved(weights)
-            bag = self.unknowns.moved(values, mirrored)
+            values, left = self.solved(aim, weights)
+            bag = self.unknowns.moved(self.current.bag, values[:-6], mirrored)
             folded = [k for k, panel in enumerate(bag.panels) if _folds(panel)]
             if not folded:
-                return bag, left
-            weights[np.isin(self.unknowns.owners, folded)] *= _STIFFER
+                return bag, values, left
+            weights[np.isin(owners, [mirrored.first_of(k) for k in folded])] *= _STIFFER
         raise MeshError(
             f"Panel '{bag.panels[folded[0]].name}' crosses itself: divide the body otherwise there."
         )

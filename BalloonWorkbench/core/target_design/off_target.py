@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -12,9 +13,12 @@ from BalloonWorkbench.core.design.film_residual import film_residual
 from BalloonWorkbench.core.geometry.vectors import unit
 from BalloonWorkbench.core.targets.half_edges import area_vectors
 from BalloonWorkbench.core.targets.nearest_surface import NearestSurface
+from BalloonWorkbench.core.targets.refine import Split, refined
 from BalloonWorkbench.core.targets.target import Target
 from BalloonWorkbench.core.types import Floats, Ints
 
+#: Edges of a target that is sampled, of the diagonal.
+_FINE = 0.02
 _HAIR = 1e-6  # of the diagonal: nearer points take the normal of the surface
 #: The balloon is turned and moved onto the target in so many steps, or until one is no longer than this part
 #: of the diagonal.
@@ -36,6 +40,11 @@ class TargetSurface:
         self.target = target
         self._nearest = NearestSurface(target.points, target.triangles)
         self._normals = unit(target.area_vectors)
+
+    @cached_property
+    def samples(self) -> Split:
+        """The target in triangles so small that distances from film are linear on them."""
+        return refined(self.target.points, self.target.triangles, _FINE * self.target.diagonal)
 
     def off(self, points: Floats) -> OffTarget:
         """Of points (n, 3)."""
@@ -87,5 +96,28 @@ def vertex_areas(points: Floats, triangles: Ints) -> Floats:
 
 
 def target_residual(surface: TargetSurface, points: Floats, triangles: Ints) -> Residual:
-    """How far film of triangles between points (n, 3) is from the target, each piece by its area [m]."""
-    return film_residual(surface.off(points).distances, points, triangles)
+    """How far film of triangles between points (n, 3) and the target are from each other, by area [m].
+
+    The larger of both ways: film that lies on the body all over may leave out a part of it. Film: as
+    curved_film gives it.
+    """
+    there, back = both_ways(surface, points, triangles)
+    return Residual(max(there.mean, back.mean), max(there.p95, back.p95), max(there.max, back.max))
+
+
+def both_ways(surface: TargetSurface, points: Floats, triangles: Ints) -> tuple[Residual, Residual]:
+    """How far the film is from the target, and the target from the film, each by its area [m]."""
+    film = NearestSurface(points, triangles)
+    there = film_residual(surface.off(points).distances, points, triangles)
+    return there, film_residual(film.query(surface.samples.points).distances, *surface.samples[:2])
+
+
+def clearances(surface: TargetSurface, points: Floats, triangles: Ints) -> tuple[float, float]:
+    """How far outside of the target the film lies where that is least, and where it is most [m].
+
+    Both ways, as in target_residual: a body that comes through the film between its vertices counts, too.
+    """
+    film = NearestSurface(points, triangles)
+    there = surface.off(points[np.unique(triangles)]).distances
+    away = np.concatenate([there, -film.query(surface.samples.points).distances])
+    return float(away.min()), float(away.max())

@@ -22,11 +22,12 @@ from BalloonWorkbench.core.assembly_sheet.bag_pages import (
 from BalloonWorkbench.core.assembly_sheet.steps import steps
 from BalloonWorkbench.core.bag_pattern.bag_patterns import BagPatterns
 from BalloonWorkbench.core.bag_pattern.make import make_bag_patterns
+from BalloonWorkbench.core.bags.seam_colours import seam_colour
 from BalloonWorkbench.core.film.filling import Filling
 from BalloonWorkbench.core.making.bag_numbers import bag_numbers
 from BalloonWorkbench.core.making.numbers import Numbers
 from BalloonWorkbench.core.options.pattern import PatternOptions
-from BalloonWorkbench.core.pictures.bag_picture import bag_picture, seam_colour
+from BalloonWorkbench.core.pictures.bag_picture import bag_picture
 from BalloonWorkbench.core.pictures.bag_preview import bag_preview_png
 
 

@@ -187,6 +187,12 @@ def test_a_corner_folded_flat_has_a_normal() -> None:
     np.testing.assert_allclose(np.abs(normals), np.tile([0.0, 0.0, 1.0], (4, 1)))
 
 
+def test_a_corner_of_triangles_without_an_area_has_a_normal() -> None:
+    places = np.array([(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (2.0, 0.0, 0.0)])
+    sheet = Panel(np.zeros((4, 2)), np.array([[0, 1, 2], [0, 1, 3]], dtype=np.int32), ())
+    np.testing.assert_array_equal(vertex_normals(places, sheet), np.tile([0.0, 0.0, 1.0], (4, 1)))
+
+
 def test_a_balloon_is_never_mirrored_to_its_start() -> None:
     """A start that is the mirror image is met as well as a turn can."""
     corners = np.array([(0.0, 0.0, 0.0), (3.0, 0.0, 0.0), (0.0, 2.0, 0.0), (0.0, 0.0, 1.0)])

@@ -305,6 +305,17 @@ def test_both_solvers_find_the_same_loads(backend: str) -> None:
     assert found.weld.value == pytest.approx(native.weld.value, rel=0.01)
 
 
+def test_edges_longer_than_the_windows_have_the_even_load() -> None:
+    """100 N/m all along, also where an edge between two vertices is longer than what is averaged over."""
+    steps = np.array([0.1, 0.1, 0.1, 0.01, 0.01, 0.01])
+    own = 0.5 * (steps + np.roll(steps, 1))
+    forces = np.column_stack([0.0 * own, 0.0 * own, 100.0 * own])
+    with np.errstate(all="raise"):
+        found = loads_along(steps, forces, 0.005, 0.02)
+    np.testing.assert_allclose(found[[1, 2]], 100.0)
+    assert np.isfinite(found).all()
+
+
 @pytest.mark.parametrize("kind", ["tiny", "grain", "shell", "soft", "volume", "no band"])
 def test_odd_balloons_have_sound_loads(kind: str) -> None:
     """Smaller than the window, with a grain, as a plain shell, beyond the film's stretch, to a volume."""

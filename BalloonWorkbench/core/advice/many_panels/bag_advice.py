@@ -16,7 +16,7 @@ from BalloonWorkbench.core.bag_pattern.bag_patterns import BagPatterns
 from BalloonWorkbench.core.bag_pattern.caps import capped_poles
 from BalloonWorkbench.core.bag_pattern.seams import SeamMark
 from BalloonWorkbench.core.bodies.banded import BACK, FRONT
-from BalloonWorkbench.core.bodies.gores import GORE
+from BalloonWorkbench.core.bodies.gores import gores_of
 from BalloonWorkbench.core.bodies.profile import Profile
 from BalloonWorkbench.core.correction.summary import NOT_AT_REST
 from BalloonWorkbench.core.film.film import Film
@@ -104,7 +104,7 @@ def _apart(design: BagDesign, accuracy: float) -> Iterator[Finding]:
     """Seams of gores that stand out over their middles."""
     if not isinstance(design.source, Profile) or not design.apart > accuracy * design.size:
         return
-    count = sum(panel.name.startswith(GORE) for panel in design.bag.panels)
+    count = gores_of(design.bag, design.source)
     text = (
         f"The seams of {number_text(count)} gores stand out by up to {length_text(design.apart, 2)} over"
         " their middles. More gores make the body rounder."

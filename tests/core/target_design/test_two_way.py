@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Distances between film and body count both ways, over film that is bent between its vertices."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from solids import ball, box
+
+from BalloonWorkbench.core.panels.surface import Surface
+from BalloonWorkbench.core.target_design.curved_film import curved_film
+from BalloonWorkbench.core.target_design.off_target import TargetSurface, clearances, target_residual
+from BalloonWorkbench.core.targets.target import Target
+from BalloonWorkbench.core.types import Floats, Ints
+
+
+def scaled(target: Target, scale: float) -> tuple[Floats, Ints]:
+    return target.points * scale, target.triangles
+
+
+def test_film_round_a_ball_is_as_far_as_it_is_larger() -> None:
+    body = ball(count=12)
+    off = target_residual(TargetSurface(body), *scaled(body, 1.1))
+    assert [off.mean, off.p95, off.max] == pytest.approx([0.1] * 3, rel=0.02)
+    assert clearances(TargetSurface(body), *scaled(body, 1.1)) == pytest.approx((0.1, 0.1), rel=0.02)
+    assert clearances(TargetSurface(body), *scaled(body, 0.9)) == pytest.approx((-0.1, -0.1), rel=0.02)
+
+
+def test_a_spike_that_the_film_leaves_out_counts() -> None:
+    plain = ball(count=12)
+    points = plain.points.copy()
+    points[np.argmax(points[:, 2])] *= 1.5
+    spiked = Target(points, plain.triangles)
+    off = target_residual(TargetSurface(spiked), *scaled(plain, 1.0))
+    assert off.max == pytest.approx(0.5, rel=0.02)
+    assert clearances(TargetSurface(spiked), *scaled(plain, 1.0))[0] == pytest.approx(-0.5, rel=0.02)
+
+
+def test_a_body_that_comes_through_between_the_vertices_is_seen() -> None:
+    """The vertices of a box are all outside of a ball that stands out of its faces."""
+    body, film = ball((1.2, 1.2, 1.2), count=12), box((2.0, 2.0, 2.0), count=1)
+    assert np.linalg.norm(film.points, axis=1).min() > 1.2
+    least, most = clearances(TargetSurface(body), film.points, film.triangles)
+    assert least == pytest.approx(-0.2, abs=0.01)
+    assert most == pytest.approx(np.sqrt(3.0) - 1.2, abs=0.01)
+
+
+def test_film_with_directors_is_round_between_its_vertices() -> None:
+    """Of a ball with its normals the middles of the sides lie on the ball, to the fourth order."""
+    body = ball(count=6)
+    count = len(body.points)
+    alone = np.arange(count, dtype=np.int32)
+    surface = Surface(body.points[:, :2], body.triangles, alone, alone, np.zeros(1, dtype=bool), 1)
+    points, triangles = curved_film(body.points, body.points, surface)
+    assert len(triangles) == 4 * len(body.triangles)
+    assert np.abs(np.linalg.norm(points, axis=1) - 1.0).max() < 1e-3
+    flat = 0.5 * (body.points[body.triangles[:, 0]] + body.points[body.triangles[:, 1]])
+    assert np.abs(np.linalg.norm(flat, axis=1) - 1.0).max() > 0.01
+    edges = np.sort(np.concatenate([triangles[:, [k, (k + 1) % 3]] for k in range(3)]), axis=1)
+    assert (np.unique(edges, axis=0, return_counts=True)[1] == 2).all(), "closed"
