@@ -18,8 +18,9 @@ from BalloonWorkbench.cli import bed, console, making, many_panels
 from BalloonWorkbench.cli import document as cli_document
 from BalloonWorkbench.cli.home import home
 from BalloonWorkbench.cli.options import FETCH, language_of, parser, typed
+from BalloonWorkbench.cli.solid import solid_reader
 from BalloonWorkbench.cli.summary import bag_summary, summary
-from BalloonWorkbench.core.bag_design.source import PANELS, form_of
+from BalloonWorkbench.core.bag_design.source import PANELS, Readers, form_of
 from BalloonWorkbench.core.bag_job import FinishedBags, bag_makers, has_many_panels, make_bags
 from BalloonWorkbench.core.design.size_goal import SizeGoal
 from BalloonWorkbench.core.errors import (
@@ -50,6 +51,7 @@ from BalloonWorkbench.core.machines.machine_file import checked_files, machines_
 from BalloonWorkbench.core.options.body import BandOptions, BodyOptions, TargetOptions
 from BalloonWorkbench.core.options.drawing import FillingOptions, ReadingOptions
 from BalloonWorkbench.core.options.film import DEFAULT_FILM
+from BalloonWorkbench.core.options.making import WeldingOptions
 from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.options.simulation import InflationOptions, ModelOptions
 from BalloonWorkbench.core.solver.model import Model
@@ -128,7 +130,7 @@ class _Run:
         progress = self._progress(line)
 
         def design(size: bed.Size, scale: float = 1.0) -> Balloon | FinishedBags:
-            known: dict[str, Any] = {"decode": _decode(), "progress": progress, "attempt": self._attempt}
+            known: dict[str, Any] = {"progress": progress, "attempt": self._attempt, **_readers(many)}
             if form_of(options.input) == PANELS:  # it has its own size; another one is refused
                 asked = {"width": options.width, "height": options.height}
                 return make_bags(options.input, settings, scale=scale, **asked, **known)
@@ -290,6 +292,7 @@ def _settings(options: argparse.Namespace) -> Settings:
         body=typed(options, BodyOptions),
         side_band=typed(options, BandOptions),
         target=typed(options, TargetOptions),
+        welding=typed(options, WeldingOptions),
     )
 
 
@@ -317,6 +320,11 @@ def _film(options: argparse.Namespace) -> Film:
     if options.grain:
         raise InputError("Only a film with another stiffness across has a grain: give --young-across too.")
     return plain
+
+
+def _readers(many: bool) -> dict[str, Any]:
+    """What reads the files that the engine does not, as the jobs ask for it; many: for many panels."""
+    return {"readers": Readers(_decode(), solid_reader())} if many else {"decode": _decode()}
 
 
 def _decode() -> Any:

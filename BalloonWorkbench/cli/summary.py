@@ -89,9 +89,27 @@ def _bag(part: dict[str, Any], report: dict[str, Any], corrected: bool, say: Say
     cut = [panel for panel in part["panels"] if panel["cut"]]
     kinds = sum(panel["same_as"] is None for panel in cut)
     lines.append(say(f"Panels: {len(cut)}, of different shapes: {kinds}"))
+    lines += [] if part["body"] is None else _body(part, say)
     made = [seam for seam in part["seams"] if seam["made"]]
     turned = sum(not seam["flat"] for seam in made)
     return [*lines, say(f"Seams: {len(made)}, where an edge must turn: {turned}")]
+
+
+def _body(part: dict[str, Any], say: Say) -> list[str]:
+    """How a balloon does the body that it was made for."""
+    body, volume = part["body"], part["target"]["volume_m3"]
+    least, most = (length_text(from_mm(body["clearance_mm"][key]), 3) for key in ("least", "most"))
+    strain = body["flattening_strain"]
+    mean, largest = (percent_text(strain[key]) for key in ("mean", "largest"))
+    slack, wrinkled = percent_text(body["slack_share"]), percent_text(body["wrinkled_share"])
+    hidden = percent_text(body["hidden_by_wrinkles"])
+    share = percent_text(part["inflated"]["volume_m3"] / volume)
+    return [
+        say(f"Volume of the body: {volume_text(volume)}, the balloon has {share} of it"),
+        say(f"The film lies from {least} to {most} outside of the body"),
+        say(f"Panels laid flat: strained by {mean} on average, at most {largest}"),
+        say(f"Loose film: {slack}, wrinkled: {wrinkled}; wrinkles hide {hidden} of it"),
+    ]
 
 
 def _making(maker: dict[str, Any], film: Film, say: Say) -> list[str]:
@@ -107,6 +125,7 @@ def _making(maker: dict[str, Any], film: Film, say: Say) -> list[str]:
         say(f"Film: {film.title or film.name}"),
         say(f"Film needed: {needed}"),
         say(f"Seam length: {seam}"),
+        *([say(f"Welding: {maker['welding']['sentence']}")] if "welding" in maker else []),
         say(f"Will it float? {maker['will_it_float']}"),
         *_strength(maker["strength"], film.seam, say),
     ]

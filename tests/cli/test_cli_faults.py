@@ -11,7 +11,7 @@ from typing import Any, NoReturn
 
 import pytest
 
-from BalloonWorkbench.cli import command_line, document, making
+from BalloonWorkbench.cli import command_line, freecad_process, making
 from BalloonWorkbench.core import job
 from BalloonWorkbench.core.artwork.files import png_bytes
 from BalloonWorkbench.core.reports import report
@@ -35,7 +35,7 @@ PARTS: dict[str, tuple[Any, str, set[str]]] = {
     "report": (report, "build", {"report.json"}),
     "report's text": (command_line, "report_bytes", {"report.json"}),
     "summary": (command_line, "summary", set()),
-    "document": (document.Document, "content", set()),
+    "document": (freecad_process.FreecadProcess, "content", set()),
 }
 FAILURES: list[Callable[[], BaseException]] = [
     ZeroDivisionError, MemoryError, RecursionError, lambda: KeyError("x"), lambda: OSError(5, "broken"),

@@ -17,6 +17,7 @@ from BalloonWorkbench.cli import command_line
 from BalloonWorkbench.core.film.library import films
 from BalloonWorkbench.core.language import sentence_forms
 from BalloonWorkbench.core.language.speech import languages, speech, users_language
+from BalloonWorkbench.core.nesting import nest as nesting
 
 PICTURES = Path(__file__).parents[2] / "resources" / "examples" / "pictures"
 _PLACE = re.compile(r"({\w+})")
@@ -49,9 +50,10 @@ def left_in_english(text: str) -> list[str]:
 
 
 def test_all_that_is_told_is_translated(
-    capitals: None, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    capitals: None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """A balloon with advice, a machine, a layout, a print, and a pressure that is too much for it."""
+    monkeypatch.setattr(nesting, "PACKAGE", "no_such_package")  # rows: quick
     picture = str(PICTURES / "fish.png")
     words = ["inflate", picture, "--width", "300mm", "--mesh-size", "16mm", "--out", str(tmp_path)]
     options = "--material nylon-foil --pressure 20kPa --intake film-valve --drawn-as pen --nest 500mm"

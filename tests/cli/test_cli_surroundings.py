@@ -6,7 +6,6 @@ from __future__ import annotations
 import contextlib
 import json
 import os
-import pickle
 import signal
 import subprocess
 import sys
@@ -18,7 +17,7 @@ from typing import NoReturn
 
 import pytest
 
-from BalloonWorkbench.cli import command_line, document
+from BalloonWorkbench.cli import command_line, document, freecad_process
 from BalloonWorkbench.core.errors import MissingPackageError
 
 ROOT = Path(__file__).parents[2]
@@ -252,10 +251,10 @@ def test_freecad_that_does_not_work_is_a_note(
 ) -> None:
     (tmp_path / "FreeCAD.py").write_text(FREECADS[way])
     monkeypatch.setenv("PYTHONPATH", str(tmp_path))
-    monkeypatch.setattr(document, "_PATIENCE", 2)
-    monkeypatch.setattr(document, "_SHARE", 0)
-    request = pickle.dumps(("box.json", None, [], None, None))
-    making = document.Document(request)
+    monkeypatch.setattr(freecad_process, "_PATIENCE", 2)
+    monkeypatch.setattr(freecad_process, "_SHARE", 0)
+    arguments = ("box.json", None, [], None, None)
+    making = freecad_process.FreecadProcess(document.__name__, "making the document", *arguments)
     with pytest.raises(MissingPackageError) as error:
         making.content()
     making.stop()
