@@ -88,7 +88,8 @@ def from_panels(doc, source, seams=(), **options) -> Parts:
 @_bordered
 def from_body(doc, source, **options) -> Parts:
     """A new balloon that fills a closed body: a solid or a mesh, or an STL, OBJ, PLY, 3MF or STEP file;
-    panels says into how many pieces it is divided, 0 takes the faces of a solid.
+    panels says into how many pieces it is divided, 0 takes the faces of a solid, 1 only the seams that are
+    drawn: seam_edits has texts of what is done to the seams, seam_sketches sketches that are projected.
 
     Raises BalloonError when no balloon comes out; the document is then as before.
     """

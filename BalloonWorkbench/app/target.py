@@ -22,17 +22,30 @@ PROPERTIES = (
         "FileIncluded",
         "BodyFile",
         "Body",
-        "STL, OBJ, PLY, 3MF or STEP file of a closed body; a copy travels in the document",
+        "STL, OBJ, PLY, 3MF, STEP, IGES or BREP file of a closed body; a copy travels in the document",
     ),
     Property(
         "Length",
         "Width",
         "Body",
-        "Width of a mesh from a file, along x; 0 follows from the height, or the file",
+        "Width of a body from a file, along x; 0 follows from the height, or the file",
         label="Width",
     ),
-    Property("Length", "Height", "Body", "Height of a mesh from a file, along z; 0 follows", label="Height"),
+    Property("Length", "Height", "Body", "Height of a body from a file, along z; 0 follows", label="Height"),
     *properties_of(TargetOptions),
+    Property(
+        "StringList",
+        "SeamEdits",
+        "Body",
+        "How the seams were changed: panels merged, seams cut and moved, one JSON text each",
+    ),
+    Property(
+        "LinkListGlobal",
+        "SeamSketches",
+        "Body",
+        "Sketches whose lines are seams: they are projected onto the body along the normal of their plane",
+    ),
+    Property("Bool", "NearSide", "Body", "Sketches are projected onto the side that is nearer to them only"),
     *arrange.PROPERTIES,
     result("Integer", "PanelCount", "Number of panels", group="Target"),
     result("Length", "SeamLength", "Length of all seams on the body", group="Target"),
@@ -52,6 +65,15 @@ PROPERTIES = (
         hidden=True,
         group="Target",
     ),
+    result(
+        "VectorList",
+        "TargetFlats",
+        "Corners of the triangles on the flat film; z is not 0 where a face does not unroll",
+        hidden=True,
+        group="Target",
+    ),
+    result("IntegerList", "TargetBent", "Edges that stand for pieces of curves", hidden=True, group="Target"),
+    result("VectorList", "TargetCurves", "Three places on each of these, flat", hidden=True, group="Target"),
 )
 
 
@@ -78,8 +100,12 @@ class TargetProxy(DocumentProxy):
             status.set_problem(obj, has_result, "Choose a solid, a mesh or a file with one.")
             return
         with status.reported(obj, has_result):
-            show(obj, read(obj))
-            status.set_status(obj, status.READY)
+            made = read(obj)
+            show(obj, made)
+            if made.seams:
+                status.set_status(obj, status.READY)
+            else:  # it is shown, so that the first seam can be drawn on it
+                status.set_problem(obj, False, "The body has no seam. Draw seams, or take 2 panels or more.")
 
 
 def has_body(obj) -> bool:
@@ -98,11 +124,24 @@ def set_body(obj, path) -> None:
 
 def read(obj):
     """The Division of the solid, the mesh or the file."""
+    from BalloonWorkbench.app.drawings.seam_sketches import sketch_edits
     from BalloonWorkbench.app.drawings.solid import division_of
     from BalloonWorkbench.app.properties.quantities import metres
+    from BalloonWorkbench.core.seam_edits.apply_edits import apply_edits
+    from BalloonWorkbench.core.seam_edits.read_seams import edits_of
 
     size = metres(obj.Width) or None, metres(obj.Height) or None
-    return division_of(obj.Solid or obj.BodyFile, obj.Panels, *size)
+    division = division_of(obj.Solid or obj.BodyFile, obj.Panels, *size)
+    edits = (*sketch_edits(obj), *edits_of(obj.SeamEdits))
+    return apply_edits(division, edits) if edits or obj.Panels != 1 else division
+
+
+def body(obj):
+    """The Target as a whole, before it is divided."""
+    from BalloonWorkbench.app.drawings.solid import body_of
+    from BalloonWorkbench.app.properties.quantities import metres
+
+    return body_of(obj.Solid or obj.BodyFile, metres(obj.Width) or None, metres(obj.Height) or None)
 
 
 def division(obj):
@@ -112,11 +151,54 @@ def division(obj):
     from BalloonWorkbench.core.targets.target import Division, Target
     from BalloonWorkbench.core.units import from_mm
 
-    points = from_mm(np.array([(at.x, at.y, at.z) for at in obj.TargetPoints], dtype=float).reshape(-1, 3))
+    points = from_mm(_array(obj.TargetPoints))
     triangles = np.array(obj.TargetTriangles, dtype=np.int32).reshape(-1, 3)
-    target = Target(np.round(points, 9) + 0.0, triangles, obj.Kind, tuple(obj.Notes))
+    target = Target(points, triangles, obj.Kind, tuple(obj.Notes))
     cuts = np.array(obj.TargetCuts, dtype=np.int32).reshape(-1, 2)
-    return Division(target, np.array(obj.TargetPanels, dtype=np.int32), tuple(obj.PanelNames), cuts)
+    panels = np.array(obj.TargetPanels, dtype=np.int32)
+    return Division(target, panels, tuple(obj.PanelNames), cuts, _flats(obj)).rounded()
+
+
+def _flats(obj):
+    """The FaceFlats that the object keeps, or None."""
+    import numpy as np
+
+    from BalloonWorkbench.core.targets.target import FaceFlats
+    from BalloonWorkbench.core.units import from_mm
+
+    if not obj.TargetFlats:
+        return None
+    corners, curves = (_array(points) for points in (obj.TargetFlats, obj.TargetCurves))
+    corners[corners[:, 2] != 0.0] = np.nan
+    return FaceFlats(
+        from_mm(corners[:, :2].reshape(-1, 3, 2)),
+        np.array(obj.TargetBent, dtype=np.intp),
+        from_mm(curves[:, :2].reshape(-1, 3, 2)),
+    )
+
+
+def _write_flats(output, flats) -> None:
+    """Keep FaceFlats, or None, in the object."""
+    import FreeCAD as App
+    import numpy as np
+
+    from BalloonWorkbench.core.units import to_mm
+
+    def places(points) -> list:
+        known = np.isfinite(points).all(axis=1)
+        whole = np.column_stack([np.where(known[:, None], to_mm(points), 0.0), np.where(known, 0.0, 1.0)])
+        return [App.Vector(*at) for at in whole.tolist()]
+
+    output.TargetFlats = [] if flats is None else places(flats.corners.reshape(-1, 2))
+    output.TargetBent = [] if flats is None else flats.bent.tolist()
+    output.TargetCurves = [] if flats is None else places(flats.between.reshape(-1, 2))
+
+
+def _array(points):
+    """Vectors as an array (k, 3)."""
+    import numpy as np
+
+    return np.array([(at.x, at.y, at.z) for at in points], dtype=float).reshape(-1, 3)
 
 
 def show(obj, made) -> None:
@@ -138,6 +220,7 @@ def show(obj, made) -> None:
         output.TargetTriangles = target.triangles.ravel().tolist()
         output.TargetPanels = made.panels.tolist()
         output.TargetCuts = made.cuts.ravel().tolist()
+        _write_flats(output, made.flats)
         output.BodySize = App.Vector(*to_mm(np.ptp(target.points, axis=0)).tolist())
         output.PanelNames = list(made.names)
         output.PanelCount = len(made.names)

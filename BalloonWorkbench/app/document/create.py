@@ -13,6 +13,7 @@ from BalloonWorkbench.app.border import hooks, status
 from BalloonWorkbench.app.document import arrange, panel_objects
 from BalloonWorkbench.app.document.kinds import is_pattern
 from BalloonWorkbench.app.document.parts import Parts, companions
+from BalloonWorkbench.app.document.sources import insist_on_document
 from BalloonWorkbench.app.gored_body import NATURAL_SHAPE, GoredBodyProxy, set_profile
 from BalloonWorkbench.app.group import BAG, GORED_BODY, MEMBERS, OUTLINE, TARGET, make_group, name_group
 from BalloonWorkbench.app.outline import OutlineProxy, set_drawing, shape_count
@@ -125,6 +126,7 @@ def balloon_from_sketch(doc, sketch, elements=(), **options) -> Parts:
 
     Options and errors as for `balloon_from_picture`.
     """
+    insist_on_document(doc, sketch)
     parts = make(doc, f"{sketch.Label} balloon")
     with ExitStack() as unless_finished:
         unless_finished.callback(discard, parts)
@@ -145,6 +147,8 @@ def balloon_from_profile(doc, source, elements=(), **options) -> Parts:
     label = "Natural shape" if source is None else _title(source) if is_file else f"{source.Label} body"
     if is_file and not os.path.isfile(source):
         raise InputError(f"There is no file {source}: check the name and the folder.")
+    if not is_file and source is not None:
+        insist_on_document(doc, source)
     parts = make(doc, label, GORED_BODY)
     with ExitStack() as unless_finished:
         unless_finished.callback(discard, parts)
@@ -180,6 +184,8 @@ def balloon_from_panels(doc, source, seams=(), **options) -> Parts:
         elif is_text:
             set_file(parts.outline, source)
         else:
+            for panel in source:
+                insist_on_document(doc, panel[0] if isinstance(panel, tuple) else panel)
             set_panels(parts.outline, source)
             parts.outline.Seams = list(seams)
         _finish(parts, options)
@@ -195,6 +201,10 @@ def balloon_from_body(doc, source, **options) -> Parts:
     is_file = isinstance(source, (str, os.PathLike))
     if is_file and not os.path.isfile(source):
         raise InputError(f"There is no file {source}: check the name and the folder.")
+    if not is_file and not hasattr(source, "Label"):
+        raise InputError(f"{source} is no body: give a solid, a mesh or the path of a file.")
+    if not is_file:
+        insist_on_document(doc, source)
     parts = make(doc, _title(source) if is_file else f"{source.Label} balloon", TARGET)
     with ExitStack() as unless_finished:
         unless_finished.callback(discard, parts)

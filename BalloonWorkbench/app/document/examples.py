@@ -71,6 +71,27 @@ EXAMPLES = (
         QT_TRANSLATE_NOOP("BalloonWorkbench", "Pouch"),
         QT_TRANSLATE_NOOP("BalloonWorkbench", "Panels with gussets, whose sizes come from a spreadsheet"),
     ),
+    Example(
+        "housing",
+        QT_TRANSLATE_NOOP("BalloonWorkbench", "Filleted housing"),
+        QT_TRANSLATE_NOOP(
+            "BalloonWorkbench", "Twelve panels that follow a solid: change its sizes in the spreadsheet"
+        ),
+    ),
+    Example(
+        "spot",
+        QT_TRANSLATE_NOOP("BalloonWorkbench", "Spot in 16 panels"),
+        QT_TRANSLATE_NOOP(
+            "BalloonWorkbench", "A cow from a mesh, by Keenan Crane: change the number of panels"
+        ),
+    ),
+    Example(
+        "bottle",
+        QT_TRANSLATE_NOOP("BalloonWorkbench", "Bottle"),
+        QT_TRANSLATE_NOOP(
+            "BalloonWorkbench", "Eight panels for a solid with fillets: change its section or their number"
+        ),
+    ),
 )
 
 

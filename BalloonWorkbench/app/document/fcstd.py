@@ -25,6 +25,7 @@ from BalloonWorkbench.core.files.write import write_files
 from BalloonWorkbench.core.options.body import BandOptions, BodyOptions, TargetOptions
 from BalloonWorkbench.core.options.drawing import ReadingOptions
 from BalloonWorkbench.core.options.simulation import InflationOptions, ModelOptions
+from BalloonWorkbench.core.seam_edits.read_seams import edit_text, edits_in
 from BalloonWorkbench.core.targets.target import Division
 from BalloonWorkbench.core.units import to_mm
 
@@ -97,6 +98,7 @@ def write_settings(parts, settings) -> None:
         write_options(parts.outline, settings.body, BodyOptions)
     elif is_target(parts.outline):
         write_options(parts.outline, settings.target, TargetOptions)
+        parts.outline.SeamEdits = [edit_text(edit) for edit in edits_in(settings.target.seams)]
     elif not is_bag(parts.outline):
         write_options(parts.outline, settings, ReadingOptions)
         write_options(parts.balloon, settings.side_band, BandOptions)

@@ -5,8 +5,9 @@ from __future__ import annotations
 
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.border.guard import Guarded
-from BalloonWorkbench.app.document import arrange, migrate
+from BalloonWorkbench.app.document import arrange, migrate, sources
 from BalloonWorkbench.app.properties.property_table import add_missing, offer_choices
+from BalloonWorkbench.core.errors import InputError
 
 
 class Stateless(Guarded):
@@ -30,6 +31,7 @@ class DocumentProxy(Stateless):
 
     def __init__(self, obj):
         arrange.watch()
+        sources.watch()
         add_missing(obj, (migrate.VERSION, *self.properties))
         offer_choices(obj, self.properties)
         obj.Proxy = self
@@ -37,6 +39,8 @@ class DocumentProxy(Stateless):
     def execute(self, obj):
         """FreeCAD asks for the result; whatever goes wrong, the object keeps the one it had and says why."""
         with status.reported(obj, status.has_result(obj)):
+            if sources.follows_itself(obj):
+                raise InputError(f"{obj.Label} follows itself: choose something that is not made of it.")
             self.compute(obj)
 
     def compute(self, obj):
@@ -46,6 +50,7 @@ class DocumentProxy(Stateless):
         from BalloonWorkbench.app.border import hooks
 
         arrange.watch()
+        sources.watch()
         if migrate.bring_up_to_date(obj, self.properties):
             offer_choices(obj, self.properties)
         self.opened(obj)

@@ -3,29 +3,31 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
+from dataclasses import replace
 
-import MeshPart
 import numpy as np
 import Part
 
-from BalloonWorkbench.core.bag_design.source import division_of_size
+from BalloonWorkbench.app.drawings.face_strips import MOST_STRIPS, in_strips
+from BalloonWorkbench.app.drawings.face_surfaces import developable_of
+from BalloonWorkbench.app.drawings.solid_mesh import SolidMesh, edge_lines, mesh_of
+from BalloonWorkbench.core.bag_design.source import SOLIDS, of_size, target_of_size
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.options.body import PANELS, TargetOptions
-from BalloonWorkbench.core.segmentation.divide import divide
-from BalloonWorkbench.core.segmentation.faces import divide_at_faces
+from BalloonWorkbench.core.flattening.developable import face_flats
+from BalloonWorkbench.core.flattening.divide_flat import check_flat, divide_flat
+from BalloonWorkbench.core.options.body import PANELS
+from BalloonWorkbench.core.segmentation.discs import pieces_apart
+from BalloonWorkbench.core.targets.half_edges import twins
 from BalloonWorkbench.core.targets.mesh_files import RawMesh
-from BalloonWorkbench.core.targets.read_target import target_of
+from BalloonWorkbench.core.targets.read_target import LARGEST, SMALLEST, read_target, target_of
 from BalloonWorkbench.core.targets.target import Division, Target
-from BalloonWorkbench.core.units import from_mm
+from BalloonWorkbench.core.types import Ints
+from BalloonWorkbench.core.units import from_mm, length_text
 
-#: Files with solids, by the ends of their names; meshes are read by the core.
-SOLIDS = ("step", "stp", "brep", "brp", "iges", "igs")
 #: Triangles stay so near to a curved face: of the diagonal, and turned from each other [rad].
-_NEAR, _TURN = 1e-3, 0.1
+_NEAR, _TURN = 1e-3, 0.15
 #: The same of a body that is divided anew, whose triangles are then made small enough.
 _NEAR_DIVIDED, _TURN_DIVIDED = 4e-3, 0.25
-_SAME = 1e-6  # of an edge: points so near lie on it
 
 
 def division_of(source, panels: int, width: float | None = None, height: float | None = None) -> Division:
@@ -33,21 +35,40 @@ def division_of(source, panels: int, width: float | None = None, height: float |
 
     source         a document object or a path
     panels         how many; 0: the faces of a solid, and as many as usual of a mesh
-    width, height  m, of a mesh in a file
+    width, height  m, of a body in a file
 
     Raises InputError for what is no closed body.
     """
+    if not panels and _has_faces(source):
+        made = _at_faces(*_shape_of(source))
+        return of_size(made, width, height) if isinstance(source, str) else made
+    return divide_flat(body_of(source, width, height), panels or PANELS)
+
+
+def body_of(source, width: float | None = None, height: float | None = None) -> Target:
+    """The same body as a whole, in the triangles that are divided where its faces are not asked for."""
+    if _has_faces(source):
+        shape, label = _shape_of(source)
+        mesh = mesh_of(_closed(shape, label), label, _NEAR_DIVIDED, _TURN_DIVIDED)
+        target = Target(mesh.points, mesh.triangles, label)
+        return target_of_size(target, width, height) if isinstance(source, str) else target
     if isinstance(source, str):
-        ending = source.rpartition(".")[2].lower()
-        if ending not in SOLIDS:
-            return division_of_size(source, TargetOptions(panels), width, height)
-        return _of_shape(_read(source), "the file", panels)
-    mesh = getattr(source, "Mesh", None)
-    if mesh is not None:
-        points, triangles = mesh.Topology
-        raw = RawMesh(_array(points), np.array(triangles, dtype=np.int32).reshape(-1, 3), from_mm(1.0))
-        return divide(target_of(raw, source.Label), panels or PANELS)
-    return _of_shape(_global_shape(source), source.Label, panels)
+        return read_target(source, width, height)
+    points, triangles = source.Mesh.Topology
+    raw = RawMesh(_array(points), np.array(triangles, dtype=np.int32).reshape(-1, 3), from_mm(1.0))
+    return target_of(raw, source.Label)
+
+
+def _has_faces(source) -> bool:
+    """It is a solid, not a mesh."""
+    if isinstance(source, str):
+        return source.rpartition(".")[2].lower() in SOLIDS
+    return getattr(source, "Mesh", None) is None
+
+
+def _shape_of(source):
+    """The shape of an object or a file, and what that is called."""
+    return (_read(source), "the file") if isinstance(source, str) else (_global_shape(source), source.Label)
 
 
 def _global_shape(source):
@@ -67,60 +88,43 @@ def _read(path: str):
     return shape
 
 
-def _of_shape(shape, label: str, panels: int) -> Division:
-    """The panels of a closed body: its faces, or so many."""
-    body = _closed(shape, label)
-    faces = body.Faces
-    mesh = MeshPart.meshFromShape(
-        Shape=body,
-        LinearDeflection=(_NEAR_DIVIDED if panels else _NEAR) * body.BoundBox.DiagonalLength,
-        AngularDeflection=_TURN_DIVIDED if panels else _TURN,
-        Relative=False,
-        Segments=True,
-    )
-    if not mesh.isSolid() or mesh.countSegments() > len(faces):
-        raise InputError(
-            f"The faces of {label} cannot be told from each other in a mesh."
-            " Repair the solid, or give a mesh of it."
-        )
-    points, triangles = mesh.Topology
-    places = from_mm(_array(points))
-    middle = 0.5 * (places.min(axis=0) + places.max(axis=0))
-    corners = np.array(triangles, dtype=np.int32)
-    owners = np.zeros(len(corners), dtype=np.int32)
-    for number in range(mesh.countSegments()):
-        owners[list(mesh.getSegment(number))] = number
-    target = Target(places - middle, corners, label)
-    if panels:
-        return divide(target, panels)
-    cuts = [
-        _own_seams(face, np.unique(corners[owners == number]), points) for number, face in enumerate(faces)
-    ]
-    cut = np.concatenate([np.zeros((0, 2), dtype=np.int32), *cuts])
-    names = [f"Face{number + 1}" for number in range(len(faces))]
-    return divide_at_faces(target, owners, names, cut)
+def _at_faces(shape, label: str) -> Division:
+    """The panels of a closed body: its faces."""
+    mesh, strips = in_strips(mesh_of(_closed(shape, label), label, _NEAR, _TURN), label)
+    lines = edge_lines(mesh)
+    panels_of, faces = _in_pieces(mesh, strips)
+    names, notes = _names(faces)
+    target = Target(lines.points, mesh.triangles, label, notes)
+    division = Division(target, panels_of, names, lines.cuts)
+    surfaces = [developable_of(mesh.body.Faces[number]) for number in faces]
+    division = replace(division, flats=face_flats(division, surfaces, lines.bent, lines.between)).rounded()
+    check_flat(division, "Give a number of panels, into which the body is divided.")
+    return division
 
 
-def _own_seams(face, vertices: np.ndarray, points) -> np.ndarray:
-    """Edges (k, 2) of the mesh along the edges at which a face that goes round meets itself.
+def _in_pieces(mesh: SolidMesh, strips: Ints) -> tuple[Ints, list[int]]:
+    """The panel (m,) of each triangle, which hangs together, and the number of the face of each panel.
 
-    vertices  of the face's triangles, among the points of the mesh
+    strips  (m,) of the triangles in their faces
     """
-    cuts = []
-    for edge in face.Edges:
-        if edge.Degenerated or not edge.isSeam(face):
-            continue
-        first, last = edge.ParameterRange
-        near = _SAME * edge.Length
-        on_edge = []
-        for vertex in vertices.tolist():
-            at = min(max(edge.Curve.parameter(points[vertex]), first), last)
-            if edge.valueAt(at).distanceToPoint(points[vertex]) < near:
-                on_edge.append((at, vertex))
-        line = [vertex for _, vertex in sorted(on_edge)]
-        line += line[:1] if edge.isClosed() else []
-        cuts += pairwise(line)
-    return np.array(sorted(set(cuts)), dtype=np.int32).reshape(-1, 2)
+    labels = mesh.owners * np.int32(MOST_STRIPS) + strips
+    pieces = pieces_apart(labels, twins(mesh.triangles).reshape(-1, 3) // 3)
+    _, first = np.unique(pieces, return_index=True)
+    order = np.argsort(labels[first], kind="stable")
+    rank = np.empty(len(order), dtype=np.int32)
+    rank[order] = np.arange(len(order))
+    return rank[pieces], (labels[first[order]] // MOST_STRIPS).tolist()
+
+
+def _names(faces: list[int]) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Names of the panels with these numbers of faces, and what is told about faces in strips."""
+    names, notes = [], []
+    for at, number in enumerate(faces):
+        count, name = faces.count(number), f"Face{number + 1}"
+        names.append(name if count == 1 else f"{name}.{at - faces.index(number) + 1}")
+        if names[-1] == f"{name}.1":
+            notes.append(f"{name} is curved both ways: it is cut into {count} strips.")
+    return tuple(names), tuple(notes)
 
 
 def _closed(shape, label: str):
@@ -132,7 +136,14 @@ def _closed(shape, label: str):
         raise InputError(f"{label} has {len(bodies)} bodies: choose one of them.")
     if len(bodies[0].Shells) > 1:
         raise InputError(f"{label} is hollow: choose a solid without a space inside.")
-    return bodies[0]
+    box = bodies[0].BoundBox
+    size = from_mm(max(box.XLength, box.YLength, box.ZLength))
+    if not SMALLEST <= size <= LARGEST:
+        raise InputError(
+            f"{label} is {length_text(size)} long. Scale it, so that it is between {length_text(SMALLEST)}"
+            f" and {length_text(LARGEST)}."
+        )
+    return bodies[0].cleaned()  # what the window has shown of it has no part in its mesh
 
 
 def _array(points) -> np.ndarray:

@@ -104,7 +104,13 @@ def _set(obj, name: str, item: Property, value) -> None:
         else:
             setattr(obj, item.name, read(value) if read else value)
     except (ValueError, TypeError, OSError, RuntimeError) as error:
-        raise InputError(f'{name} cannot be "{value}": {error}') from error
+        raise InputError(f'{name} cannot be "{value}": {_said(error)}') from error
+
+
+def _said(error: Exception) -> str:
+    """Its sentence: FreeCAD's own errors keep theirs among what they know of it."""
+    known = error.args[0] if error.args else ""
+    return str(known.get("sErrMsg", known) if isinstance(known, dict) else error)
 
 
 def texts(parts) -> dict[str, str]:
@@ -124,7 +130,9 @@ def text(value, item: Property) -> str:
     if item.type == "Angle":
         return f"{value.Value:.10g}"
     if item.type == "LinkGlobal":
-        return f'App.ActiveDocument.getObject("{value.Name}")' if value else "None"
+        return _object(value) if value else "None"
+    if item.type == "LinkListGlobal":
+        return f"[{', '.join(map(_object, value))}]"
     if item.type in ("LinkSubGlobal", "LinkSub"):
         return _link(value)
     if item.type == "LinkSubListGlobal":
@@ -137,11 +145,15 @@ def text(value, item: Property) -> str:
 _UNITS = {"Length": ("mm", 1.0), "Distance": ("mm", 1.0), "Pressure": ("kPa", 1.0), "Volume": ("l", 1e-6)}
 
 
+def _object(value) -> str:
+    return f'App.ActiveDocument.getObject("{value.Name}")'
+
+
 def _link(value) -> str:
     if not value:
         return "None"
     source, elements = value
-    return f'(App.ActiveDocument.getObject("{source.Name}"), {json.dumps(list(elements))})'
+    return f"({_object(source)}, {json.dumps(list(elements))})"
 
 
 def _follows(parts, name: str, part: str) -> bool:

@@ -222,3 +222,23 @@ def test_a_file_that_is_no_bag(doc, tmp_path):
     with pytest.raises(InputError, match='"name": "top"'):
         BalloonWorkbench.from_panels(doc, str(path))
     assert doc.Objects == []
+
+
+def test_what_is_in_another_document(doc):
+    """Nothing here can follow it, and nothing is left of the attempt."""
+    other = App.newDocument("Other")
+    try:
+        box = other.addObject("Part::Box", "Box")
+        drawn = sketches.rectangle(other, 80, 80)
+        other.recompute()
+        for make, source in (
+            (BalloonWorkbench.from_body, box),
+            (BalloonWorkbench.from_sketch, drawn),
+            (BalloonWorkbench.from_profile, drawn),
+            (BalloonWorkbench.from_panels, [drawn, (box, ["Face1"])]),
+        ):
+            with pytest.raises(InputError, match=r"is in the document Other\w*: copy it"):
+                make(doc, source)
+        assert doc.Objects == []
+    finally:
+        App.closeDocument(other.Name)
