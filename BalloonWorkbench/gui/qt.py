@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from functools import cache
 from pathlib import Path
 
@@ -40,6 +42,16 @@ def drawn_icon(name: str, size: int = 96):
     QtSvg.QSvgRenderer(icon(name)).render(painter)
     painter.end()
     return QtGui.QIcon(pixmap)
+
+
+@contextmanager
+def painter_on(widget) -> Iterator:
+    """A painter that ends with its block, not when Python forgets it."""
+    painter = QtGui.QPainter(widget)
+    try:
+        yield painter
+    finally:
+        painter.end()
 
 
 def number_of(buttons) -> int:

@@ -10,7 +10,7 @@ import numpy as np
 from BalloonWorkbench.core.geometry.polyline import bounds, length, line_lengths, point_on
 from BalloonWorkbench.gui.bags.bag_edges import BagEdges, PanelEdge
 from BalloonWorkbench.gui.bags.seam_colours import FREE, WRONG, panel_tint, seam_colour
-from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, position, translate
+from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, painter_on, position, translate
 from BalloonWorkbench.gui.window.user_units import length_text
 
 _LEAST, _MOST, _FORM = 170, 300, 0.75  # px, px, height over width
@@ -113,9 +113,8 @@ class FlatView(QtWidgets.QWidget):
         return transform
 
     def paintEvent(self, event):
-        painter = QtGui.QPainter(self)
-        self._paint(painter)
-        painter.end()  # now, not when Python forgets it
+        with painter_on(self) as painter:
+            self._paint(painter)
 
     def _paint(self, painter) -> None:
         painter.setRenderHint(QtGui.QPainter.Antialiasing)

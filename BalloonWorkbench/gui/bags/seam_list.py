@@ -31,7 +31,7 @@ class SeamList(FullList):
         for number in range(0 if shown is None else len(shown.lengths)):
             wrong = number in shown.wrong
             entry = QtWidgets.QListWidgetItem(_text(shown, number))
-            entry.setIcon(_swatch(WRONG if wrong else seam_colour(number)))
+            entry.setIcon(swatch(WRONG if wrong else seam_colour(number)))
             if wrong:
                 entry.setForeground(QtGui.QColor.fromRgbF(*WRONG))
                 entry.setToolTip(translate("Both sides of a seam must be equally long"))
@@ -56,7 +56,8 @@ def _text(shown: BagEdges, number: int) -> str:
     return translate("{}: they differ by {}").format(text, apart) if number in shown.wrong else text
 
 
-def _swatch(rgb) -> QtGui.QIcon:
+def swatch(rgb) -> QtGui.QIcon:
+    """A small square of a colour."""
     pixmap = QtGui.QPixmap(_SWATCH, _SWATCH)
     pixmap.fill(QtGui.QColor.fromRgbF(*rgb))
     return QtGui.QIcon(pixmap)

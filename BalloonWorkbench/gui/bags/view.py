@@ -17,13 +17,31 @@ class GoredBodyView(OutlineView):
 
 
 class TargetView(_View):
-    """Lines: the seams on the body."""
+    """Lines: the seams on the body, in the colours and with the numbers of those of the pattern."""
 
     icon = "target"
 
     def style(self, vobj):
         vobj.LineWidth = 3.0
         vobj.PointSize = 1.0
+
+    def attach(self, vobj):
+        from BalloonWorkbench.gui.bags.target_display import TargetDisplay
+
+        super().attach(vobj)
+        self.display = TargetDisplay(vobj)
+
+    def restored(self, vobj):
+        self.display.follow()
+
+    def updateData(self, obj, name):
+        super().updateData(obj, name)
+        if name == "Notes" and hasattr(self, "display"):  # the last of a division that is written
+            self.display.follow()
+
+    def changed(self, vobj, name):
+        if name == "Visibility" and hasattr(self, "display"):
+            self.display.follow_visibility()
 
 
 class PanelView(_View):

@@ -32,7 +32,7 @@ _TITLES = {
     colour_map.THICKNESS: QT_TRANSLATE_NOOP("BalloonWorkbench", "Thickness of the balloon"),
     colour_map.STRAIN: QT_TRANSLATE_NOOP("BalloonWorkbench", "Largest strain"),
     colour_map.RESIDUAL: QT_TRANSLATE_NOOP("BalloonWorkbench", "Silhouette off the drawing"),
-    colour_map.DISTANCE: QT_TRANSLATE_NOOP("BalloonWorkbench", "Distance from profile or drawing"),
+    colour_map.DISTANCE: QT_TRANSLATE_NOOP("BalloonWorkbench", "Distance from profile, drawing or body"),
 }
 _COLOURS = 256  # of the scale, as a texture
 _LINE = 5.0  # px, of the silhouette

@@ -12,11 +12,13 @@ from BalloonWorkbench.app.shapes import part_shapes
 from BalloonWorkbench.core.design.fairing import faired
 from BalloonWorkbench.core.pattern.intake.rim import Rim
 from BalloonWorkbench.core.units import from_mm, to_mm
-from BalloonWorkbench.gui.qt import QtCore, position
+from BalloonWorkbench.gui.qt import QtCore
+from BalloonWorkbench.gui.window.ray import pixel_of, ray
 
 _NEAR = 14.0  # px at which the mouse catches the handle
 _COLOUR, _CAUGHT = (0.10, 0.55, 0.95), (1.00, 0.55, 0.00)
 _RING = 0.03  # radius, of the size of the pattern
+_EDGE_ON = 1e-6  # sine of the angle between the line of sight and the plane
 _ABOVE = 0.002  # the handle hovers over the pattern, of its size
 
 
@@ -56,9 +58,9 @@ class IntakeHandle(QtCore.QObject):
     def eventFilter(self, _surface, event):
         kind = event.type()
         if kind == QtCore.QEvent.MouseButtonPress and event.button() == QtCore.Qt.LeftButton:
-            return self._pressed(self._pixel(event))
+            return self._pressed(pixel_of(event, self._window))
         if self._held and kind == QtCore.QEvent.MouseMove:
-            self._moved(self._pixel(event))
+            self._moved(pixel_of(event, self._window))
             return True
         if self._held and kind == QtCore.QEvent.MouseButtonRelease and event.button() == QtCore.Qt.LeftButton:
             self._held = False
@@ -79,11 +81,6 @@ class IntakeHandle(QtCore.QObject):
             self._along = from_mm(self.pattern.IntakeAlong.Value)
             self._draw()
 
-    def _pixel(self, event) -> tuple[int, int]:
-        """Where an event is, counted as the view does: from the lower left."""
-        at, ratio = position(event), self._window.devicePixelRatioF()
-        return round(at.x() * ratio), round((self._surface.height() - 1 - at.y()) * ratio)
-
     def _pressed(self, pixel: tuple[int, int]) -> bool:
         """Take hold where the handle is; whether that was so."""
         at = self._view.getPointOnScreen(self._global(self._along))
@@ -99,20 +96,10 @@ class IntakeHandle(QtCore.QObject):
 
     def _on_plane(self, pixel):
         """The point (2,) m of the pattern's plane under a pixel; None where it is seen from its edge."""
-        import numpy as np
-        from pivy import coin
-
-        point = self._view.getPoint(*pixel)
-        camera = self._view.getCameraNode()
-        direction = self._view.getViewDirection()
-        if camera.isOfType(coin.SoPerspectiveCamera.getClassTypeId()):
-            direction = point - App.Vector(*camera.position.getValue().getValue())
-        back = self.pattern.Placement.inverse()
-        start, ahead = back.multVec(point), back.Rotation.multVec(direction)
-        if abs(ahead.z) < 1e-6 * ahead.Length:
+        start, ahead = ray(self._view, pixel, self.pattern.Placement)
+        if abs(ahead[2]) < _EDGE_ON:
             return None
-        met = start - ahead * (start.z / ahead.z)
-        return from_mm(np.array([met.x, met.y]))
+        return from_mm((start - ahead * (start[2] / ahead[2]))[:2])
 
     def _global(self, along: float):
         x, y = to_mm(self._rim.at(along)).tolist()

@@ -128,10 +128,6 @@ def test_the_document_is_closed_amid_the_task(doc):
     assert hands.panel_is_closed()
 
 
-@pytest.mark.skipif(
-    tuple(map(int, App.Version()[:2])) >= (1, 1),
-    reason="FreeCAD 1.1 takes the face under the mouse, not its edge",
-)
 def test_a_seam_is_chosen_by_either_edge_in_the_view(doc):
     """A click of the mouse on the flat panels in the 3D view, on one edge and on its partner."""
     open_bag(doc, "Box")
@@ -144,7 +140,7 @@ def test_a_seam_is_chosen_by_either_edge_in_the_view(doc):
     for edge in flat.shown.of_seam(4):
         rows.setCurrentRow(-1)
         (x, y), (dx, dy) = 0.5 * (edge.line[0] + edge.line[1]), edge.line[1] - edge.line[0]
-        away = 2.0 / math.hypot(dx, dy)  # some 2 mm beside the film: on it FreeCAD 1.1 takes the face
+        away = 2.0 / math.hypot(dx, dy)  # some 2 mm beside the edge, on the film or not
         at = doc.Bag.Placement.multVec(App.Vector(x + away * dy, y - away * dx, 0))
         view_port.click(port, view_port.pixel(port, at))
         hands.wait_until(lambda: rows.currentRow() == 4, 5)

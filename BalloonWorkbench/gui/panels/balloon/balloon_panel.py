@@ -185,7 +185,11 @@ class BalloonPanel(TaskPanel):
                 if "Touched" in outline.State or not status.is_ready(outline):
                     self.doc.recompute([outline])
         self.show_state()
-        if self.is_new and is_bag(self.parts.outline) and not self.was_whole:
+        if (
+            self.is_new
+            and (is_bag(self.parts.outline) or is_target(self.parts.outline))
+            and not self.was_whole
+        ):
             fit_all(Gui.getDocument(self.doc.Name))  # its seams may be picked in the view
         return status.is_ready(self.parts.outline)
 

@@ -12,6 +12,7 @@ from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document.kinds import is_bag, is_gored_body, is_target
 from BalloonWorkbench.app.properties.quantities import cubic_millimetres, pascals
 from BalloonWorkbench.core.units import from_grams, mass_text, percent_text, to_mm
+from BalloonWorkbench.gui.panels.balloon.body_rows import BodyRows, quick_rows
 from BalloonWorkbench.gui.panels.making.maker_rows import MakerRows, value_label
 from BalloonWorkbench.gui.panels.widgets.fields import Fields
 from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel
@@ -32,6 +33,7 @@ _NEXT = (
     ("ColourMap", "colour_map"),
     ("Animate", "animate"),
     ("Advice", "advice"),
+    ("Nest", "nest"),
     ("ExportPattern", "export_pattern"),
 )
 
@@ -81,7 +83,7 @@ class ResultBox(QtWidgets.QWidget):
         message_row.addWidget(self._sign)
         message_row.addWidget(self._message, 1)
         self._measures = QtWidgets.QFormLayout()
-        self._maker = MakerRows(self._measures, short=True)
+        self._maker, self._body = MakerRows(self._measures, short=True), BodyRows(self._measures)
         column = QtWidgets.QVBoxLayout(self)
         start = QtWidgets.QHBoxLayout()
         start.addWidget(self._apply, 1)
@@ -111,6 +113,7 @@ class ResultBox(QtWidgets.QWidget):
     def release(self) -> None:
         """The panel closes."""
         self._maker.release()
+        self._body.release()
         self._fields.release()
 
     def start(self) -> None:
@@ -161,6 +164,7 @@ class ResultBox(QtWidgets.QWidget):
     def show_result(self, parts) -> None:
         """The measures of the balloon, and what its objects have to say."""
         self._clear_measures()
+        self._body.leave()
         outline, balloon, pattern = parts
         self._fields.refresh()
         for button in self._steps:
@@ -181,6 +185,8 @@ class ResultBox(QtWidgets.QWidget):
         for name, text in measures(balloon, pattern):
             self._measures.addRow(name, value_label(text))
         self._maker.show(parts)
+        if is_target(outline) and status.is_ready(balloon):
+            self._body.show(balloon)
 
 
 def _menu_text(command: str) -> str:
@@ -230,7 +236,7 @@ def _off(balloon, text: str) -> list[tuple[str, str]]:
     if is_bag(balloon.Outline):
         return []
     if is_target(balloon.Outline):
-        return [(translate("Off the body"), text), (translate("Panels"), str(balloon.PanelCount))]
+        return quick_rows(balloon)
     if not is_gored_body(balloon.Outline):
         return [(translate("Off the drawing"), text)]
     apart = length_text(balloon.Apart.Value)

@@ -7,7 +7,7 @@ import math
 
 import numpy as np
 
-from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets
+from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, painter_on
 
 _LEAST = 150  # px
 _MARGIN = 8  # px
@@ -29,9 +29,8 @@ class ProfilePreview(QtWidgets.QWidget):
         self.update()
 
     def paintEvent(self, event):
-        painter = QtGui.QPainter(self)
-        self._paint(painter)
-        painter.end()  # now, not when Python forgets it
+        with painter_on(self) as painter:
+            self._paint(painter)
 
     def _paint(self, painter) -> None:
         painter.setRenderHint(QtGui.QPainter.Antialiasing)

@@ -3,7 +3,10 @@
 
 from __future__ import annotations
 
+import math
+
 import FreeCADGui as Gui
+import Part
 
 from BalloonWorkbench.gui.bags.bag_edges import BagEdges, PanelEdge, edges_of
 from BalloonWorkbench.gui.bags.flat_view import FlatView
@@ -12,6 +15,8 @@ from BalloonWorkbench.gui.bags.seam_marks import SeamMarks
 from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.window.selection import SelectionWatch
+
+_NEAR = 9.0  # px within which an edge is meant
 
 
 class SeamEditor(QtWidgets.QWidget):
@@ -112,6 +117,8 @@ class SeamEditor(QtWidgets.QWidget):
         """An edge was picked in the 3D view, on the flat panels or in a sketch."""
         for picked in Gui.Selection.getSelectionEx():
             numbers = [int(each[4:]) for each in picked.SubElementNames if each.startswith("Edge")]
+            if not numbers and picked.Object == self._obj and picked.PickedPoints:
+                numbers = self._edge_at(picked.PickedPoints[0])
             if not numbers:
                 continue
             if picked.Object == self._obj:
@@ -120,6 +127,19 @@ class SeamEditor(QtWidgets.QWidget):
                 self._pick_in(picked.Object, f".Edge{numbers[0]}")
             Gui.Selection.clearSelection()
             return
+
+    def _edge_at(self, place) -> list[int]:
+        """The number of the edge that a click on a face has meant: since 1.1 FreeCAD takes the face where an
+        edge is a few pixels away."""
+        view = Gui.getDocument(self._obj.Document.Name).activeView()
+        if not hasattr(view, "getPointOnScreen"):
+            return []
+        at = Part.Vertex(place)
+        away = [edge.distToShape(at) for edge in self._obj.Shape.Edges]
+        nearest = min(range(len(away)), key=lambda number: away[number][0])
+        foot = away[nearest][1][0][0]
+        near = math.dist(view.getPointOnScreen(foot), view.getPointOnScreen(place)) < _NEAR
+        return [nearest + 1] if near else []
 
     def _pick_in(self, source, ending: str) -> None:
         """An edge of a sketch or body whose panels are in this bag."""

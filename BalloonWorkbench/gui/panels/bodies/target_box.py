@@ -4,9 +4,12 @@
 from __future__ import annotations
 
 from BalloonWorkbench.app.border import status
+from BalloonWorkbench.app.document.parts import parts_of
 from BalloonWorkbench.app.properties.quantities import cubic_metres
 from BalloonWorkbench.app.target import PROPERTIES, set_body
 from BalloonWorkbench.core.units import volume_text
+from BalloonWorkbench.gui.panels.bodies.body_seams import BodySeams
+from BalloonWorkbench.gui.panels.bodies.panel_curve_box import PanelCurveBox
 from BalloonWorkbench.gui.panels.widgets.file_page import FilePage
 from BalloonWorkbench.gui.panels.widgets.file_row import FileRow
 from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel
@@ -39,7 +42,12 @@ class TargetBox(FilePage):
         for item in PROPERTIES:
             if item.label:
                 self.form.add(item)
+        balloon = parts_of(target).balloon if parts_of(target) is not None else None
+        self.seams = BodySeams(target, balloon, self.changed.emit, self.refused.emit)
+        self.curve = PanelCurveBox(target, balloon, self.changed.emit)
         self.form.addRow(self.notes)
+        self.form.addRow(self.curve)
+        self.form.addRow(self.seams)
         self.source.picked.connect(self.changed)
 
     def refresh(self) -> None:
@@ -48,9 +56,13 @@ class TargetBox(FilePage):
         self.file.setVisible(not self.obj.Solid)
         known = bool(self.obj.TargetPoints) and status.is_ready(self.obj)
         self.notes.setText("\n".join([_size(self.obj), *map(translated, self.obj.Notes)]) if known else "")
+        self.seams.refresh()
+        self.curve.refresh()
 
     def release(self) -> None:
         self.source.release()
+        self.seams.release()
+        self.curve.release()
         super().release()
 
 

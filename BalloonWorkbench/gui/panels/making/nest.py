@@ -116,6 +116,8 @@ class NestPanel(ObjectPanel):
             self.show_state()
             return False
         self.keep()
+        Gui.Selection.clearSelection()
+        Gui.Selection.addSelection(self.obj)  # what is exported next
         arguments = values.texts_of(self.obj, film_sheet.PROPERTIES)
         if not self.is_new:
             arguments["sheet"] = macro_recorder.obj(self.obj)

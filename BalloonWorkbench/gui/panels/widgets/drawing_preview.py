@@ -6,7 +6,7 @@ from __future__ import annotations
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.shapes import part_shapes
 from BalloonWorkbench.core.units import to_mm
-from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, translate
+from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, painter_on, translate
 from BalloonWorkbench.gui.window.sentences import translated
 from BalloonWorkbench.gui.window.user_units import size_text
 
@@ -84,9 +84,8 @@ class Preview(QtWidgets.QWidget):
             self.setMinimumHeight(height)
 
     def paintEvent(self, event):
-        painter = QtGui.QPainter(self)
-        self._paint(painter)
-        painter.end()  # now, not when Python forgets it
+        with painter_on(self) as painter:
+            self._paint(painter)
 
     def _paint(self, painter) -> None:
         painter.setRenderHint(QtGui.QPainter.Antialiasing)

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets
+from BalloonWorkbench.gui.qt import QtCore, QtWidgets, painter_on
 
 _ROOM = 180  # px, for a name and its field in a panel as FreeCAD opens it
 _BESIDE = 4  # px, that themes leave free at the sides of an entry
@@ -96,9 +96,8 @@ class ElidedLabel(QtWidgets.QLabel):
         return self.fontMetrics().elidedText(self.text(), QtCore.Qt.ElideMiddle, self.width())
 
     def paintEvent(self, event):
-        painter = QtGui.QPainter(self)
-        painter.drawText(self.rect(), QtCore.Qt.AlignVCenter | QtCore.Qt.AlignLeft, self.elided_text)
-        painter.end()  # now, not when Python forgets it
+        with painter_on(self) as painter:
+            painter.drawText(self.rect(), QtCore.Qt.AlignVCenter | QtCore.Qt.AlignLeft, self.elided_text)
 
 
 class WrappedLabel(QtWidgets.QLabel):
