@@ -14,6 +14,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 FOLDER = Path(__file__).resolve().parents[1] / "resources" / "examples"
+MESHES = FOLDER / "meshes"
 MESH = 9.0  # mm
 
 
@@ -200,6 +201,71 @@ def ring(doc):
     return parts
 
 
+def housing(doc):
+    """A solid with fillets whose sizes come from a spreadsheet, and the balloon that fills it."""
+    from BalloonWorkbench.app.document import create
+
+    solid = filleted(doc)
+    parts = create.balloon_from_body(doc, solid, panels=12, mesh_size=12.0)
+    solid.ViewObject.Visibility = False
+    return parts
+
+
+def filleted(doc):
+    """A block in PartDesign, all of its edges round."""
+    sheet = doc.addObject("Spreadsheet::Sheet", "Sizes")
+    rows = (
+        ("Length", "length", 240),
+        ("Width", "width", 160),
+        ("Height", "height", 120),
+        ("Fillet", "fillet", 45),
+    )
+    for row, (title, alias, value) in enumerate(rows, 1):
+        sheet.set(f"A{row}", title)
+        sheet.set(f"B{row}", f"={value} mm")
+        sheet.setAlias(f"B{row}", alias)
+    doc.recompute()
+    body = doc.addObject("PartDesign::Body", "Housing")
+    block = body.newObject("PartDesign::AdditiveBox", "Block")
+    for _, alias, _ in rows[:3]:
+        block.setExpression(alias.capitalize(), f"Sizes.{alias}")
+    doc.recompute()
+    fillet = body.newObject("PartDesign::Fillet", "Fillet")
+    fillet.Base = (block, [f"Edge{number}" for number in range(1, 13)])
+    fillet.setExpression("Radius", "Sizes.fillet")
+    doc.recompute()
+    return body
+
+
+def spot(doc):
+    """The cow Spot by Keenan Crane, 300 mm high, in 16 panels."""
+    from BalloonWorkbench.app.document import create
+
+    return create.balloon_from_body(doc, MESHES / "spot.obj", panels=16, height=300.0, mesh_size=13.0)
+
+
+def bottle(doc):
+    """A solid of Part: half a section turned round, its edges rounded."""
+    from BalloonWorkbench.app.document import create
+
+    section = doc.addObject("Part::Polygon", "HalfSection")
+    corners = ((0, 0), (60, 0), (60, 170), (26, 215), (26, 260), (0, 260))
+    section.Nodes = [App.Vector(x, 0, z) for x, z in corners]
+    section.Close = True
+    turned = doc.addObject("Part::Revolution", "Turned")
+    turned.Source, turned.Axis, turned.Angle, turned.Solid = section, App.Vector(0, 0, 1), 360.0, True
+    doc.recompute()
+    solid = doc.addObject("Part::Fillet", "Bottle")
+    solid.Base = turned
+    round_ones = [number for number, edge in enumerate(turned.Shape.Edges, 1) if edge.isClosed()]
+    solid.Edges = [(number, 16.0, 16.0) for number in round_ones]
+    doc.recompute()
+    parts = create.balloon_from_body(doc, solid, panels=8, mesh_size=13.0)
+    for obj in (section, turned, solid):
+        obj.ViewObject.Visibility = False
+    return parts
+
+
 EXAMPLES = {
     "painted-fish": painted_fish,
     "parametric-heart": parametric_heart,
@@ -208,6 +274,9 @@ EXAMPLES = {
     "airship": airship,
     "banded-letter": banded_letter,
     "pouch": pouch,
+    "housing": housing,
+    "spot": spot,
+    "bottle": bottle,
 }
 
 
