@@ -64,6 +64,10 @@
         <translation>Ecken der Naht des Schnittmusters</translation>
     </message>
     <message>
+        <source>Corners of the triangles on the flat film; z is not 0 where a face does not unroll</source>
+        <translation>Ecken der Dreiecke auf der flachen Folie; z ist nicht 0, wo eine Fläche nicht abwickelbar ist</translation>
+    </message>
+    <message>
         <source>Corners of the welds inside</source>
         <translation>Ecken der inneren Schweißnähte</translation>
     </message>
@@ -116,6 +120,10 @@
         <translation>Kanten, die verbunden werden, etwa Sketch.Edge1=Sketch001.Edge3; Kanten, die Flächen gemeinsam haben, brauchen keine Angabe</translation>
     </message>
     <message>
+        <source>Edges that stand for pieces of curves</source>
+        <translation>Kanten, die für Stücke von Kurven stehen</translation>
+    </message>
+    <message>
         <source>Film left between pieces, and at the edges</source>
         <translation>Folie zwischen den Stücken und am Rand</translation>
     </message>
@@ -164,12 +172,12 @@
         <translation>Höhe über dem Meer</translation>
     </message>
     <message>
-        <source>Height of a body from a file; 0 follows</source>
-        <translation>Höhe eines Körpers aus einer Datei; 0 folgt</translation>
+        <source>Height of a body from a file, along z; 0 follows</source>
+        <translation>Höhe eines Körpers aus einer Datei, entlang z; 0 folgt</translation>
     </message>
     <message>
-        <source>Height of a mesh from a file, along z; 0 follows</source>
-        <translation>Höhe eines Netzes aus einer Datei, entlang z; 0 folgt</translation>
+        <source>Height of a body from a file; 0 follows</source>
+        <translation>Höhe eines Körpers aus einer Datei; 0 folgt</translation>
     </message>
     <message>
         <source>Height of all that is cut</source>
@@ -212,8 +220,8 @@
         <translation>Wie weit entlang dieser Naht, von 0 bis 1 ihrer Länge; 0 nimmt ihre Mitte oder die der Kante</translation>
     </message>
     <message>
-        <source>How far the balloon may be from its profile, in parts of the profile's diagonal</source>
-        <translation>Wie weit der Ballon von seinem Profil abweichen darf, in Teilen der Diagonale des Profils</translation>
+        <source>How far the balloon may be from its profile or body on average, in parts of the diagonal</source>
+        <translation>Wie weit der Ballon im Mittel von seinem Profil oder Körper entfernt sein darf, als Teil der Diagonale</translation>
     </message>
     <message>
         <source>How far the print goes past the cut</source>
@@ -260,6 +268,10 @@
         <translation>Wie das untere Ende geschlossen ist</translation>
     </message>
     <message>
+        <source>How the seams were changed: panels merged, seams cut and moved, one JSON text each</source>
+        <translation>Wie die Nähte geändert wurden: Bahnen vereint, Nähte geschnitten und verschoben, je ein JSON-Text</translation>
+    </message>
+    <message>
         <source>How the upper end is closed</source>
         <translation>Wie das obere Ende geschlossen ist</translation>
     </message>
@@ -272,8 +284,8 @@
         <translation>Innere Breite des Halses oder Bohrung des Stutzens</translation>
     </message>
     <message>
-        <source>Into how many panels the body is divided; 0 takes the faces of a solid, 16 panels of a mesh</source>
-        <translation>In wie viele Bahnen der Körper geteilt wird; 0 nimmt die Flächen eines Volumenkörpers, bei einem Netz 16 Bahnen</translation>
+        <source>Into how many panels the body is divided; 0 takes the faces of a solid, 16 panels of a mesh; 1 takes only the seams that are drawn</source>
+        <translation>In wie viele Bahnen der Körper geteilt wird; 0 nimmt die Flächen eines Volumenkörpers, bei einem Netz 16 Bahnen; 1 nimmt nur die gezeichneten Nähte</translation>
     </message>
     <message>
         <source>It carries itself</source>
@@ -568,8 +580,8 @@
         <translation>Ergebnis, das als Farben mit Legende gezeigt wird</translation>
     </message>
     <message>
-        <source>STL, OBJ, PLY, 3MF or STEP file of a closed body; a copy travels in the document</source>
-        <translation>STL-, OBJ-, PLY-, 3MF- oder STEP-Datei eines geschlossenen Körpers; eine Kopie reist im Dokument mit</translation>
+        <source>STL, OBJ, PLY, 3MF, STEP, IGES or BREP file of a closed body; a copy travels in the document</source>
+        <translation>STL-, OBJ-, PLY-, 3MF-, STEP-, IGES- oder BREP-Datei eines geschlossenen Körpers; eine Kopie reist im Dokument mit</translation>
     </message>
     <message>
         <source>SVG, DXF or JSON file of half the outline; a copy travels in the document</source>
@@ -602,6 +614,14 @@
     <message>
         <source>Sketch, wire or face that the outline follows instead of a file</source>
         <translation>Skizze, Draht oder Fläche, denen der Umriss statt einer Datei folgt</translation>
+    </message>
+    <message>
+        <source>Sketches are projected onto the side that is nearer to them only</source>
+        <translation>Skizzen werden nur auf die Seite projiziert, die ihnen näher liegt</translation>
+    </message>
+    <message>
+        <source>Sketches whose lines are seams: they are projected onto the body along the normal of their plane</source>
+        <translation>Skizzen, deren Linien Nähte sind: Sie werden entlang der Normalen ihrer Ebene auf den Körper projiziert</translation>
     </message>
     <message>
         <source>Sketches, wires and flat faces that are the panels, each seen from outside</source>
@@ -706,6 +726,10 @@
     <message>
         <source>Thickness of the inflated balloon</source>
         <translation>Dicke des aufgeblasenen Ballons</translation>
+    </message>
+    <message>
+        <source>Three places on each of these, flat</source>
+        <translation>Drei Stellen auf jeder davon, flach</translation>
     </message>
     <message>
         <source>Three points of each triangle</source>
@@ -896,8 +920,8 @@
         <translation>Breite, ab der er sich selbst trägt; 0: nie</translation>
     </message>
     <message>
-        <source>Width of a mesh from a file, along x; 0 follows from the height, or the file</source>
-        <translation>Breite eines Netzes aus einer Datei, entlang x; 0 folgt aus der Höhe oder der Datei</translation>
+        <source>Width of a body from a file, along x; 0 follows from the height, or the file</source>
+        <translation>Breite eines Körpers aus einer Datei, entlang x; 0 folgt aus der Höhe oder der Datei</translation>
     </message>
     <message>
         <source>Width of a side band between front and back; 0 is two panels</source>
@@ -1051,8 +1075,8 @@
         <translation>„{0}“ ist weder SVG noch DXF noch JSON. Die Zeichnung als eines davon speichern.</translation>
     </message>
     <message>
-        <source>'{0}' is no closed body: leave out --panels, or give an STL, OBJ, PLY or 3MF.</source>
-        <translation>„{0}“ ist kein geschlossener Körper: --panels weglassen oder eine STL-, OBJ-, PLY- oder 3MF-Datei geben.</translation>
+        <source>'{0}' is no closed body: leave out --panels, or give an STL, OBJ, PLY, 3MF or STEP.</source>
+        <translation>„{0}“ ist kein geschlossener Körper: --panels weglassen oder eine STL-, OBJ-, PLY-, 3MF- oder STEP-Datei geben.</translation>
     </message>
     <message>
         <source>'{0}' is no size: write 500mm for a width, 500mmx700mm for width and height.</source>
@@ -1077,6 +1101,10 @@
     <message>
         <source>'{0}' is not a {1}; write it like {2}.</source>
         <translation>„{0}“ passt hier nicht ({1}); wie {2} schreiben.</translation>
+    </message>
+    <message>
+        <source>'{0}' is read by FreeCAD, which is not there: install it for the Python that runs this, or give an STL of the solid.</source>
+        <translation>„{0}“ wird von FreeCAD gelesen, das nicht da ist: es für das Python installieren, das dies ausführt, oder den Volumenkörper als STL geben.</translation>
     </message>
     <message>
         <source>'{}' is not a picture. Save it as PNG, JPEG or BMP once more.</source>
@@ -1135,8 +1163,12 @@
         <translation>Ein Körper kann nicht aus {0} Segmenten gemacht werden. {1} bis {2} nehmen.</translation>
     </message>
     <message>
-        <source>A body has 2 panels or more: say how many.</source>
-        <translation>Ein Körper hat mindestens 2 Bahnen: angeben, wie viele.</translation>
+        <source>A body has 2 panels or more: these are the last ones.</source>
+        <translation>Ein Körper hat mindestens 2 Bahnen: dies sind die letzten.</translation>
+    </message>
+    <message>
+        <source>A body is divided into 2 to {0} panels: say how many.</source>
+        <translation>Ein Körper wird in 2 bis {0} Bahnen geteilt: angeben, in wie viele.</translation>
     </message>
     <message>
         <source>A body of gores has no side band: leave out what you give of the one or of the other.</source>
@@ -1149,6 +1181,10 @@
     <message>
         <source>A corner relief of {0} would cut into the weld: choose a smaller radius or a wider allowance.</source>
         <translation>Ein Eckenfreistich von {0} würde in die Schweißnaht schneiden: einen kleineren Radius oder mehr Zugabe wählen.</translation>
+    </message>
+    <message>
+        <source>A cow from a mesh, by Keenan Crane: change the number of panels</source>
+        <translation>Eine Kuh aus einem Netz, von Keenan Crane: die Zahl der Bahnen ändern</translation>
     </message>
     <message>
         <source>A drawing with welds inside is not made symmetric: draw it so, and turn this off.</source>
@@ -1185,6 +1221,14 @@
     <message>
         <source>A lift of {0} is out of reach: {1} large, this balloon would lack {2}. Choose a lighter film or gas, a smaller lift, or a rounder shape.</source>
         <translation>Ein Auftrieb von {0} ist unerreichbar: {1} groß fehlten diesem Ballon {2}. Leichtere Folie oder leichteres Gas, weniger Auftrieb oder eine rundere Form wählen.</translation>
+    </message>
+    <message>
+        <source>A line that is projected needs a direction. Give one.</source>
+        <translation>Eine Linie, die projiziert wird, braucht eine Richtung. Eine angeben.</translation>
+    </message>
+    <message>
+        <source>A line that is projected needs two points or more. Draw them.</source>
+        <translation>Eine Linie, die projiziert wird, braucht zwei oder mehr Punkte. Sie zeichnen.</translation>
     </message>
     <message>
         <source>A mesh of {0} is too coarse for a shape of {1}: use at most {2}.</source>
@@ -1231,8 +1275,28 @@
         <translation>Eine Kissenschachtel kann nicht tiefer als breit sein. Eine kleinere Tiefe wählen.</translation>
     </message>
     <message>
+        <source>A plane needs its normal. Give one.</source>
+        <translation>Eine Ebene braucht ihre Normale. Eine angeben.</translation>
+    </message>
+    <message>
+        <source>A seam cannot be moved so far: it would meet another one.</source>
+        <translation>Eine Naht lässt sich nicht so weit verschieben: Sie würde auf eine andere treffen.</translation>
+    </message>
+    <message>
+        <source>A seam cannot be moved so far: one of its panels would be lost.</source>
+        <translation>Eine Naht lässt sich nicht so weit verschieben: Eine ihrer Bahnen ginge verloren.</translation>
+    </message>
+    <message>
         <source>A seam closes an edge of a triangle to a point. Check which runs it joins.</source>
         <translation>Eine Naht schließt die Kante eines Dreiecks zu einem Punkt. Prüfen, welche Strecken sie verbindet.</translation>
+    </message>
+    <message>
+        <source>A seam near {0} has one place only. Draw it through two.</source>
+        <translation>Eine Naht nahe {0} hat nur eine Stelle. Sie durch zwei zeichnen.</translation>
+    </message>
+    <message>
+        <source>A seam near {0} would pass the same place twice. Draw it in two parts.</source>
+        <translation>Eine Naht nahe {0} würde zweimal über dieselbe Stelle laufen. Sie in zwei Teilen zeichnen.</translation>
     </message>
     <message>
         <source>A sketch with dimensions: change a cell of the spreadsheet, and all follows</source>
@@ -1335,6 +1399,10 @@
         <translation>Entlang der Naht</translation>
     </message>
     <message>
+        <source>Also on the other side</source>
+        <translation>Auch auf der anderen Seite</translation>
+    </message>
+    <message>
         <source>Aluminised BOPP foil, 30 µm</source>
         <translation>Aluminisierte BOPP-Folie, 30 µm</translation>
     </message>
@@ -1345,6 +1413,10 @@
     <message>
         <source>Aluminised nylon/PE foil (party balloon), 30 µm</source>
         <translation>Aluminisierte Nylon/PE-Folie (Folienballon), 30 µm</translation>
+    </message>
+    <message>
+        <source>An accuracy is for a balloon that follows its body: give the number of panels of one that encloses or lines it.</source>
+        <translation>Eine Genauigkeit gilt für einen Ballon, der seinem Körper folgt: für einen, der ihn umschließt oder innen auskleidet, die Zahl der Bahnen angeben.</translation>
     </message>
     <message>
         <source>An animation needs at least two frames, not {0}.</source>
@@ -1393,6 +1465,10 @@
     <message>
         <source>Assembly sheet written to {}</source>
         <translation>Montageblatt nach {} geschrieben</translation>
+    </message>
+    <message>
+        <source>At worst the film lies {0} on the wrong side of the body, and a margin of {1} was asked for. Take more panels, or a larger margin.</source>
+        <translation>Die Folie liegt schlimmstenfalls {0} auf der falschen Seite des Körpers, verlangt war ein Abstand von {1}. Mehr Bahnen nehmen oder einen größeren Abstand.</translation>
     </message>
     <message>
         <source>At {0} dots per inch the sheet would have {1} x {2} pixels: give a lower resolution.</source>
@@ -1491,6 +1567,14 @@
         <translation>Beide Seiten einer Naht müssen gleich lang sein</translation>
     </message>
     <message>
+        <source>Bottle</source>
+        <translation>Flasche</translation>
+    </message>
+    <message>
+        <source>Bring the 3D view of the document to the front first.</source>
+        <translation>Zuerst die 3D-Ansicht des Dokuments nach vorn holen.</translation>
+    </message>
+    <message>
         <source>Brush</source>
         <translation>Pinsel</translation>
     </message>
@@ -1579,6 +1663,26 @@
         <translation>Die Schnittmuster wählen, die ausgelegt werden.</translation>
     </message>
     <message>
+        <source>Click a seam: its panels become one. Esc: done.</source>
+        <translation>Eine Naht anklicken: Ihre Bahnen werden eine. Esc: fertig.</translation>
+    </message>
+    <message>
+        <source>Click a seam: the panels beside it become one</source>
+        <translation>Eine Naht anklicken: Die Bahnen neben ihr werden eine</translation>
+    </message>
+    <message>
+        <source>Click two places: a seam runs between them</source>
+        <translation>Zwei Stellen anklicken: Eine Naht läuft zwischen ihnen</translation>
+    </message>
+    <message>
+        <source>Click where the new seam begins. Esc: done.</source>
+        <translation>Klicken, wo die neue Naht beginnt. Esc: fertig.</translation>
+    </message>
+    <message>
+        <source>Click where the seam ends. Esc: another start.</source>
+        <translation>Klicken, wo die Naht endet. Esc: anderer Anfang.</translation>
+    </message>
+    <message>
         <source>Close the open task panel first.</source>
         <translation>Zuerst das offene Aufgabenfenster schließen.</translation>
     </message>
@@ -1609,6 +1713,10 @@
     <message>
         <source>Custom</source>
         <translation>Eigene</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Schneiden</translation>
     </message>
     <message>
         <source>Cut all panels from {film}, as they are drawn: so they are seen from outside, with the sealing side below.</source>
@@ -1671,8 +1779,8 @@
         <translation>Strecke</translation>
     </message>
     <message>
-        <source>Distance from profile or drawing</source>
-        <translation>Abstand von Profil oder Zeichnung</translation>
+        <source>Distance from profile, drawing or body</source>
+        <translation>Abstand von Profil, Zeichnung oder Körper</translation>
     </message>
     <message>
         <source>Dividing a body needs scipy: install it with pip install scipy.</source>
@@ -1681,6 +1789,14 @@
     <message>
         <source>Dots per inch</source>
         <translation>Punkte je Zoll</translation>
+    </message>
+    <message>
+        <source>Drag a seam to where it shall run. Esc: done.</source>
+        <translation>Eine Naht dorthin ziehen, wo sie laufen soll. Esc: fertig.</translation>
+    </message>
+    <message>
+        <source>Drag a seam: it runs through the place</source>
+        <translation>Eine Naht ziehen: Sie läuft durch die Stelle</translation>
     </message>
     <message>
         <source>Drag in the view</source>
@@ -1707,6 +1823,10 @@
         <translation>Zeichnung über der Silhouette</translation>
     </message>
     <message>
+        <source>Drawing seams needs scipy: install it with pip install scipy.</source>
+        <translation>Nähte zu zeichnen braucht scipy: mit pip install scipy installieren.</translation>
+    </message>
+    <message>
         <source>Drawing {0}</source>
         <translation>{0} wird gezeichnet</translation>
     </message>
@@ -1727,8 +1847,8 @@
         <translation>Jede Strichfarbe wird ein eigener Arbeitsgang: Rot, Blau und Orange schneiden, alle anderen ignorieren lassen. DXF wird nicht gelesen.</translation>
     </message>
     <message>
-        <source>Edges of the mesh at which more than two triangles meet: {0}. Repair it in the program that it comes from, so that it is the surface of a solid.</source>
-        <translation>Kanten des Netzes, an denen mehr als zwei Dreiecke zusammenkommen: {0}. Es in dem Programm reparieren, aus dem es kommt, sodass es die Oberfläche eines Volumenkörpers ist.</translation>
+        <source>Edges of the mesh at which more than two triangles meet: {0}, one of them at ({1}) of the mesh. Repair it in the program that it comes from, so that it is the surface of a solid.</source>
+        <translation>Kanten des Netzes, an denen mehr als zwei Dreiecke zusammenkommen: {0}, eine davon bei ({1}) des Netzes. Es in dem Programm reparieren, aus dem es kommt, sodass es die Oberfläche eines Volumenkörpers ist.</translation>
     </message>
     <message>
         <source>Edit artwork</source>
@@ -1741,6 +1861,10 @@
     <message>
         <source>Edit film</source>
         <translation>Folienbogen bearbeiten</translation>
+    </message>
+    <message>
+        <source>Eight panels for a solid with fillets: change its section or their number</source>
+        <translation>Acht Bahnen für einen Volumenkörper mit Verrundungen: seinen Querschnitt oder ihre Zahl ändern</translation>
     </message>
     <message>
         <source>Elastic</source>
@@ -1779,6 +1903,10 @@
         <translation>Ausdruck</translation>
     </message>
     <message>
+        <source>Face{0} of {1} is curved so much that it would take {2} strips of film. Give a number of panels, or leave such details out of the solid.</source>
+        <translation>Face{0} von {1} ist so stark gekrümmt, dass sie {2} Streifen Folie bräuchte. Eine Zahl von Bahnen angeben oder solche Einzelheiten im Volumenkörper weglassen.</translation>
+    </message>
+    <message>
         <source>Farthest point</source>
         <translation>Fernster Punkt</translation>
     </message>
@@ -1801,6 +1929,14 @@
     <message>
         <source>Fetching {0} ({1} MB) into {2}; only the file with SHA-256 {3} is kept.</source>
         <translation>{0} ({1} MB) wird nach {2} heruntergeladen; nur die Datei mit der SHA-256 {3} wird behalten.</translation>
+    </message>
+    <message>
+        <source>Few panels or true to shape</source>
+        <translation>Wenige Bahnen oder formtreu</translation>
+    </message>
+    <message>
+        <source>Few panels or true to shape?</source>
+        <translation>Wenige Bahnen oder formtreu?</translation>
     </message>
     <message>
         <source>File</source>
@@ -1845,6 +1981,10 @@
     <message>
         <source>Filled shape</source>
         <translation>Gefüllte Form</translation>
+    </message>
+    <message>
+        <source>Filleted housing</source>
+        <translation>Verrundetes Gehäuse</translation>
     </message>
     <message>
         <source>Film</source>
@@ -1927,8 +2067,8 @@
         <translation>Die Bilder sind gleichmäßig in der Bewegung, nicht in der Zeit. Nur die Folie hat Masse, das Gas keine.</translation>
     </message>
     <message>
-        <source>FreeCAD cannot make the document ({0}). {1}</source>
-        <translation>FreeCAD kann das Dokument nicht erstellen ({0}). {1}</translation>
+        <source>FreeCAD failed while {0} ({1}). {2}</source>
+        <translation>FreeCAD scheiterte {0} ({1}). {2}</translation>
     </message>
     <message>
         <source>FreeCAD has no material card "{0}": choose one of its material editor.</source>
@@ -1939,8 +2079,8 @@
         <translation>Es braucht ein Benutzerverzeichnis und einen temporären Ordner, in die es schreiben kann, und Arbeitsspeicher.</translation>
     </message>
     <message>
-        <source>FreeCAD stopped before the document was done ({0}). {1}</source>
-        <translation>FreeCAD brach ab ({0}). {1}</translation>
+        <source>FreeCAD stopped while {0} ({1}). {2}</source>
+        <translation>FreeCAD brach {0} ab ({1}). {2}</translation>
     </message>
     <message>
         <source>From the flat film to the balloon at rest</source>
@@ -1969,6 +2109,10 @@
     <message>
         <source>Give --artwork for the front too.</source>
         <translation>--artwork auch für die Vorderseite angeben.</translation>
+    </message>
+    <message>
+        <source>Give a number of panels, into which the body is divided.</source>
+        <translation>Eine Zahl von Bahnen angeben, in die der Körper geteilt wird.</translation>
     </message>
     <message>
         <source>Give either --material, or all of --young, --poisson and --thickness.</source>
@@ -2095,6 +2239,10 @@
         <translation>Wie weit die Öffnung entlang ihrer Naht liegt, muss von 0 bis 1 sein.</translation>
     </message>
     <message>
+        <source>How far the balloon may be from the body on average, of the body's diagonal</source>
+        <translation>Wie weit der Ballon im Mittel vom Körper entfernt sein darf, gemessen an dessen Diagonale</translation>
+    </message>
+    <message>
         <source>How far the outline moves if the weld creases could not be simulated. {0}</source>
         <translation>Wie weit sich der Umriss verschiebt, wenn die Naht knittert, konnte nicht simuliert werden. {0}</translation>
     </message>
@@ -2183,8 +2331,24 @@
         <translation>Er ist noch nicht aufgeblasen: im Kontextmenü „Jetzt aufblasen“ wählen oder Live einschalten.</translation>
     </message>
     <message>
+        <source>It is not repeated on the other side. {0}</source>
+        <translation>Auf der anderen Seite wird das nicht wiederholt. {0}</translation>
+    </message>
+    <message>
         <source>It is wider now. Ctrl+Z takes that back.</source>
         <translation>Jetzt ist er breiter. Strg+Z nimmt das zurück.</translation>
+    </message>
+    <message>
+        <source>It lies</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>It needs more places: give them all.</source>
+        <translation>Es fehlen Stellen: alle angeben.</translation>
+    </message>
+    <message>
+        <source>It takes {0} h at {1} m/min and {2} min for each seam.</source>
+        <translation>Es dauert {0} h bei {1} m/min und {2} min für jede Naht.</translation>
     </message>
     <message>
         <source>Its pattern is gone: delete it.</source>
@@ -2225,6 +2389,10 @@
     <message>
         <source>Labels need matplotlib: install it with pip install matplotlib, or leave the label empty.</source>
         <translation>Beschriftungen brauchen matplotlib: mit pip install matplotlib installieren oder die Beschriftung leer lassen.</translation>
+    </message>
+    <message>
+        <source>Laid flat</source>
+        <translation>Flach ausgelegt</translation>
     </message>
     <message>
         <source>Laid one piece after another: the package spyrrow (pip install spyrrow) often finds a closer layout.</source>
@@ -2363,6 +2531,10 @@
         <translation>Lose Linienenden wurden mit der Zeichnung verbunden.</translation>
     </message>
     <message>
+        <source>Loose film: {0}, wrinkled: {1}; wrinkles hide {2} of it</source>
+        <translation>Schlaffe Folie: {0}, faltig: {1}; Falten verbergen {2} davon</translation>
+    </message>
+    <message>
         <source>Low</source>
         <translation>Unten</translation>
     </message>
@@ -2409,6 +2581,10 @@
     <message>
         <source>Membrane tension</source>
         <translation>Membranspannung</translation>
+    </message>
+    <message>
+        <source>Merge</source>
+        <translation>Vereinen</translation>
     </message>
     <message>
         <source>Mesh reuse needs scipy: install it with pip install scipy.</source>
@@ -2523,6 +2699,10 @@
         <translation>Newmark</translation>
     </message>
     <message>
+        <source>No balloon came within {0} of the body's diagonal: tried were {1} panels. This is the nearest one, {2}. Ask for less, or divide the body yourself where the film stays far from it.</source>
+        <translation>Kein Ballon kam dem Körper auf {0} seiner Diagonale nahe: versucht wurden {1} Bahnen. Dies ist der nächste, {2}. Weniger verlangen oder den Körper dort selbst teilen, wo die Folie weit von ihm entfernt bleibt.</translation>
+    </message>
+    <message>
         <source>No balloon can be inflated anew without it; patterns can be changed and written.</source>
         <translation>Ohne es kann kein Ballon neu aufgeblasen werden; Schnittmuster können geändert und geschrieben werden.</translation>
     </message>
@@ -2539,6 +2719,10 @@
         <translation>Keine Grenze</translation>
     </message>
     <message>
+        <source>No number of panels up to {} comes so near. {} panels: about {} off</source>
+        <translation>Keine Zahl von Bahnen bis {} kommt so nahe. {} Bahnen: etwa {} daneben</translation>
+    </message>
+    <message>
         <source>No panel has an edge "{0}": choose one of an outline or face of this bag.</source>
         <translation>Keine Bahn hat eine Kante „{0}“: eine Kante eines Umrisses oder einer Fläche dieses Beutels wählen.</translation>
     </message>
@@ -2553,6 +2737,10 @@
     <message>
         <source>No pattern here has pieces of "{0}": choose another film.</source>
         <translation>Kein Schnittmuster hat hier Stücke aus „{0}“: eine andere Folie wählen.</translation>
+    </message>
+    <message>
+        <source>No seam can be drawn near {0}.</source>
+        <translation>Nahe {0} lässt sich keine Naht zeichnen.</translation>
     </message>
     <message>
         <source>No shape stands out in the picture. Use stronger colours or a plainer background.</source>
@@ -2673,6 +2861,10 @@
     <message>
         <source>Offer the native solver where it is missing</source>
         <translation>Den nativen Löser anbieten, wo er fehlt</translation>
+    </message>
+    <message>
+        <source>On a symmetric body a change is repeated where its mirror image lies</source>
+        <translation>An einem symmetrischen Körper wird eine Änderung wiederholt, wo ihr Spiegelbild liegt</translation>
     </message>
     <message>
         <source>On the way of the valve the balloon narrows to {0} at {1}; its channel takes {2} with its welds there. Make the neck wider or put it elsewhere, else the weld closes the valve.</source>
@@ -2807,6 +2999,14 @@
         <translation>Die Bahn „{0}“ ist die ganze Oberfläche und hat keine Kante: den Körper in mehr Bahnen teilen.</translation>
     </message>
     <message>
+        <source>Panel '{0}' would cross itself when laid flat. {1}</source>
+        <translation>Die Bahn „{0}“ würde sich flach ausgelegt selbst kreuzen. {1}</translation>
+    </message>
+    <message>
+        <source>Panel {0} goes round a part of the body: it is cut open there.</source>
+        <translation>Bahn {0} läuft um einen Teil des Körpers herum: dort ist sie aufgeschnitten.</translation>
+    </message>
+    <message>
         <source>Panel {0} has a triangle with a vertex that is not there. Mesh it anew.</source>
         <translation>Bahn {0} hat ein Dreieck mit einer Ecke, die es nicht gibt. Neu vernetzen.</translation>
     </message>
@@ -2847,6 +3047,10 @@
         <translation>Die Bahn {0} neigt sich zwischen Vorder- und Rückseite um {1}. Das Seitenband dort schmaler oder die Teile der Zeichnung breiter machen.</translation>
     </message>
     <message>
+        <source>Panel {0} near {1} goes round the body and cannot be laid flat. Draw a seam across it.</source>
+        <translation>Bahn {0} nahe {1} läuft um den Körper herum und lässt sich nicht flach auslegen. Eine Naht quer über sie zeichnen.</translation>
+    </message>
+    <message>
         <source>Panel {0} of the JSON file has no name or no 'outer' loop. {1}</source>
         <translation>Die Bahn {0} der JSON-Datei hat keinen Namen oder keinen Rand 'outer'. {1}</translation>
     </message>
@@ -2865,6 +3069,10 @@
     <message>
         <source>Panels are laid on the film in rows instead of closely; nothing else changes.</source>
         <translation>Die Bahnen werden in Reihen statt dicht ausgelegt; sonst ändert sich nichts.</translation>
+    </message>
+    <message>
+        <source>Panels laid flat: strained by {0} on average, at most {1}</source>
+        <translation>Flach ausgelegte Bahnen: im Mittel um {0} gedehnt, höchstens {1}</translation>
     </message>
     <message>
         <source>Panels with gussets, whose sizes come from a spreadsheet</source>
@@ -2989,6 +3197,10 @@
     <message>
         <source>Place on the seam</source>
         <translation>Ort auf der Naht</translation>
+    </message>
+    <message>
+        <source>Places on the body in mm: two for a cut, one for the chosen seam to be moved to</source>
+        <translation>Stellen auf dem Körper in mm: zwei für einen Schnitt, eine, an die die gewählte Naht verschoben wird</translation>
     </message>
     <message>
         <source>Plain PET does not weld to itself: take a grade with a sealing layer, or tape. The aluminium (some 50 nm) adds neither stiffness nor weight. What shops sell as Mylar balloons is mostly nylon-foil.</source>
@@ -3275,6 +3487,10 @@
         <translation>Naht</translation>
     </message>
     <message>
+        <source>Seam edit {0}</source>
+        <translation>Nahtänderung {0}</translation>
+    </message>
+    <message>
         <source>Seam length</source>
         <translation>Nahtlänge</translation>
     </message>
@@ -3337,6 +3553,22 @@
     <message>
         <source>Seam {0} of the JSON file has no two sides 'a' and 'b'. {1}</source>
         <translation>Naht {0} der JSON-Datei hat keine zwei Seiten 'a' und 'b'. {1}</translation>
+    </message>
+    <message>
+        <source>Seam {0} of the list does none of {1}. {2}</source>
+        <translation>Naht {0} der Liste tut nichts von {1}. {2}</translation>
+    </message>
+    <message>
+        <source>Seam {0} of the list has a place that is not [x, y, z]. {1}</source>
+        <translation>Naht {0} der Liste hat eine Stelle, die nicht [x, y, z] ist. {1}</translation>
+    </message>
+    <message>
+        <source>Seam {0} of the list has an unknown '{1}'. Use {2}.</source>
+        <translation>Naht {0} der Liste hat ein unbekanntes „{1}“. {2} benutzen.</translation>
+    </message>
+    <message>
+        <source>Seam {0} of the list: 'side' is '{1}' or '{2}', 'mirrored' is true or false.</source>
+        <translation>Naht {0} der Liste: 'side' ist „{1}“ oder „{2}“, 'mirrored' ist true oder false.</translation>
     </message>
     <message>
         <source>Seam {0}: {1} to {2}, last, with the opening.</source>
@@ -3519,6 +3751,10 @@
         <translation>Abstand</translation>
     </message>
     <message>
+        <source>Spot in 16 panels</source>
+        <translation>Kuh Spot aus 16 Bahnen</translation>
+    </message>
+    <message>
         <source>Steps</source>
         <translation>Schritte</translation>
     </message>
@@ -3575,6 +3811,14 @@
         <translation>An eine Bahn geheftet</translation>
     </message>
     <message>
+        <source>Take a tool to change the seams, or choose one and press Delete to merge.</source>
+        <translation>Ein Werkzeug nehmen, um die Nähte zu ändern, oder eine wählen und mit Entf ihre Bahnen vereinen.</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Zurücknehmen</translation>
+    </message>
+    <message>
         <source>Take everything off the paper</source>
         <translation>Alles vom Papier nehmen</translation>
     </message>
@@ -3585,6 +3829,10 @@
     <message>
         <source>Take seam apart</source>
         <translation>Naht lösen</translation>
+    </message>
+    <message>
+        <source>Take the last change of a seam back (Ctrl+Z in the 3D view)</source>
+        <translation>Die letzte Änderung einer Naht zurücknehmen (Strg+Z in der 3D-Ansicht)</translation>
     </message>
     <message>
         <source>Take the numbers of one of FreeCAD's material cards</source>
@@ -3643,6 +3891,10 @@
         <translation>Das würden {0} Seiten: größeres Papier oder einen kleineren Ballon wählen.</translation>
     </message>
     <message>
+        <source>The 'at' of seam {0} of the list is no list of places. {1}</source>
+        <translation>'at' der Naht {0} der Liste ist keine Liste von Stellen. {1}</translation>
+    </message>
+    <message>
         <source>The 'cut' of panel '{0}' is neither true nor false. Write one of them.</source>
         <translation>Das 'cut' der Bahn „{0}“ ist weder true noch false. Eines davon schreiben.</translation>
     </message>
@@ -3661,6 +3913,10 @@
     <message>
         <source>The 'opening' of the JSON file has no panel and point. {0}</source>
         <translation>Die 'opening' der JSON-Datei hat keine Bahn und keinen Punkt. {0}</translation>
+    </message>
+    <message>
+        <source>The 'panels' of seam {0} of the list are no names. {1}</source>
+        <translation>Die 'panels' der Naht {0} der Liste sind keine Namen. {1}</translation>
     </message>
     <message>
         <source>The 'parts' of the JSON file are not a list of shapes. {0}</source>
@@ -3755,8 +4011,8 @@
         <translation>Das Python-Paket {0} fehlt. {1} So kommt es: pip install {2}</translation>
     </message>
     <message>
-        <source>The STL file is damaged: it ends too early. Save it once more.</source>
-        <translation>Die STL-Datei ist beschädigt: sie endet zu früh. Noch einmal speichern.</translation>
+        <source>The STL file is damaged, as it ends too early, or no STL file at all. Save it once more.</source>
+        <translation>Die STL-Datei ist beschädigt, denn sie endet zu früh, oder keine STL-Datei. Noch einmal speichern.</translation>
     </message>
     <message>
         <source>The STL file is damaged: it has no triangles, or half of one. Save it once more.</source>
@@ -3789,6 +4045,14 @@
     <message>
         <source>The Young's modulus across the grain {0} is too large for one along it of {1}: turn the grain by 90 degrees and exchange the two.</source>
         <translation>Der Elastizitätsmodul quer zur Laufrichtung {0} ist zu groß für den längs von {1}: die Laufrichtung um 90 Grad drehen und beide tauschen.</translation>
+    </message>
+    <message>
+        <source>The accuracy decides the number of panels: give one of them.</source>
+        <translation>Die Genauigkeit bestimmt die Zahl der Bahnen: nur eines von beiden angeben.</translation>
+    </message>
+    <message>
+        <source>The accuracy must be above 0 and below 1: 0.003 is within 0.3 % of the diagonal.</source>
+        <translation>Die Genauigkeit muss über 0 und unter 1 liegen: 0.003 heißt innerhalb von 0,3 % der Diagonale.</translation>
     </message>
     <message>
         <source>The accuracy must be above 0 and below 1: 0.01 is within 1 % of the profile.</source>
@@ -3849,6 +4113,18 @@
     <message>
         <source>The body '{0}' has no '{1}'. It has {2}.</source>
         <translation>Der Körper „{0}“ hat kein '{1}'. Er hat {2}.</translation>
+    </message>
+    <message>
+        <source>The body has no plane of symmetry.</source>
+        <translation>Der Körper hat keine Symmetrieebene.</translation>
+    </message>
+    <message>
+        <source>The body has no seam. Draw seams, or take 2 panels or more.{0}</source>
+        <translation>Der Körper hat keine Naht. Nähte zeichnen oder mindestens 2 Bahnen nehmen.{0}</translation>
+    </message>
+    <message>
+        <source>The body has nothing near {0}. Give a place on its surface.</source>
+        <translation>Der Körper hat nahe {0} nichts. Eine Stelle auf seiner Oberfläche angeben.</translation>
     </message>
     <message>
         <source>The body is thinner than {0} over {1} of its surface: film bulges there. Make such parts of two panels of their own, or thicker.</source>
@@ -3955,6 +4231,10 @@
         <translation>Die Kanten der gewählten Naht sind wieder frei</translation>
     </message>
     <message>
+        <source>The end of a seam cannot be moved alone. Take hold of the seam between its ends.</source>
+        <translation>Das Ende einer Naht lässt sich nicht allein verschieben. Die Naht zwischen ihren Enden anfassen.</translation>
+    </message>
+    <message>
         <source>The faces of {0} cannot be told from each other in a mesh. Repair the solid, or give a mesh of it.</source>
         <translation>Die Flächen von {0} lassen sich in einem Netz nicht voneinander unterscheiden. Den Volumenkörper reparieren oder ein Netz davon geben.</translation>
     </message>
@@ -3995,6 +4275,10 @@
         <translation>Die Folie „{0}“ hat keine Masse. Ihr Flächengewicht angeben.</translation>
     </message>
     <message>
+        <source>The film comes as near as {0} to the body, and a margin of {1} was asked for. Take more panels, or a larger margin.</source>
+        <translation>Die Folie kommt dem Körper bis auf {0} nahe, verlangt war ein Abstand von {1}. Mehr Bahnen nehmen oder einen größeren Abstand.</translation>
+    </message>
+    <message>
         <source>The film file {0} calls itself "{1}": give both the same name.</source>
         <translation>Die Foliendatei {0} nennt sich „{1}“: beiden denselben Namen geben.</translation>
     </message>
@@ -4009,6 +4293,10 @@
     <message>
         <source>The film folds up and nothing of it is seen from above: make the shape thicker.</source>
         <translation>Die Folie faltet sich, und von oben ist nichts von ihr zu sehen: die Form dicker machen.</translation>
+    </message>
+    <message>
+        <source>The film lies from {0} to {1} outside of the body</source>
+        <translation>Die Folie liegt von {0} bis {1} außerhalb des Körpers</translation>
     </message>
     <message>
         <source>The film needs a width of more than two spacings, and no spacing below 0.</source>
@@ -4153,6 +4441,14 @@
     <message>
         <source>The layout was stopped; nothing was changed.</source>
         <translation>Das Auslegen wurde angehalten; nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>The line at {0} divides no panel.</source>
+        <translation>Die Linie bei {0} teilt keine Bahn.</translation>
+    </message>
+    <message>
+        <source>The line at {0} misses the body.</source>
+        <translation>Die Linie bei {0} verfehlt den Körper.</translation>
     </message>
     <message>
         <source>The lines of the drawing do not close around anything: the outline follows the lines.</source>
@@ -4379,6 +4675,18 @@
         <translation>Die Stücke des Füllhalses „{0}“ sind aus {1}, das nicht mit {2} verschweißt: einen anderen Füllhals wählen oder eine Folie, mit der es verschweißt: {3}.</translation>
     </message>
     <message>
+        <source>The place {0} is not on panels {1}, between which the seam lies.</source>
+        <translation>Die Stelle {0} liegt nicht auf den Bahnen {1}, zwischen denen die Naht verläuft.</translation>
+    </message>
+    <message>
+        <source>The plane through {0} divides no panel.</source>
+        <translation>Die Ebene durch {0} teilt keine Bahn.</translation>
+    </message>
+    <message>
+        <source>The plane through {0} does not meet the body.</source>
+        <translation>Die Ebene durch {0} trifft den Körper nicht.</translation>
+    </message>
+    <message>
         <source>The pressure at the lower end must be 0 or more.</source>
         <translation>Der Druck am unteren Ende muss 0 oder mehr sein.</translation>
     </message>
@@ -4445,6 +4753,18 @@
     <message>
         <source>The seal width must be between 0.01 mm and 1 m, the allowance between 0 and 1 m.</source>
         <translation>Die Nahtbreite muss zwischen 0,01 mm und 1 m liegen, die Zugabe zwischen 0 und 1 m.</translation>
+    </message>
+    <message>
+        <source>The seam near {0} divides no panel.</source>
+        <translation>Die Naht nahe {0} teilt keine Bahn.</translation>
+    </message>
+    <message>
+        <source>The seam near {0} is one of {1}, not of {2}.</source>
+        <translation>Die Naht nahe {0} gehört zu {1}, nicht zu {2}.</translation>
+    </message>
+    <message>
+        <source>The seam near {0} would divide panels {1}, not {2}.</source>
+        <translation>Die Naht nahe {0} würde die Bahnen {1} teilen, nicht {2}.</translation>
     </message>
     <message>
         <source>The seams of {0} gores stand out by up to {1} over their middles. More gores make the body rounder.</source>
@@ -4539,12 +4859,24 @@
         <translation>Der Löser „{0}“ braucht das Python-Paket scipy. Es installieren oder den nativen Löser benutzen.</translation>
     </message>
     <message>
+        <source>The speed of welding must be above 0, and the time for each seam not below it.</source>
+        <translation>Die Schweißgeschwindigkeit muss über 0 liegen, und die Zeit für jede Naht darf nicht darunter liegen.</translation>
+    </message>
+    <message>
         <source>The strips of valves are not here: lay them out on a sheet of their own, with "Valve film".</source>
         <translation>Die Streifen von Ventilen sind nicht dabei: sie auf einem eigenen Bogen auslegen, mit „Ventilfolie“.</translation>
     </message>
     <message>
         <source>The summary cannot be shown ({0}); {1}.</source>
         <translation>Die Zusammenfassung kann nicht angezeigt werden ({0}); {1}.</translation>
+    </message>
+    <message>
+        <source>The surface cannot be laid flat: some of its triangles have no area, or a panel hangs together in a point only. Repair the body, or take another number of panels.</source>
+        <translation>Die Oberfläche lässt sich nicht abwickeln: einige ihrer Dreiecke haben keine Fläche, oder eine Bahn hängt nur in einem Punkt zusammen. Den Körper reparieren oder eine andere Zahl von Bahnen nehmen.</translation>
+    </message>
+    <message>
+        <source>The surface crosses itself, at ({0}) of the mesh. Film cannot follow it there. Triangles that cross others: {1}.</source>
+        <translation>Die Oberfläche kreuzt sich selbst, bei ({0}) des Netzes. Folie kann ihr dort nicht folgen. Dreiecke, die andere kreuzen: {1}.</translation>
     </message>
     <message>
         <source>The surface of the mesh has no outside, as a Moebius strip. Give the mesh of a solid.</source>
@@ -4645,6 +4977,10 @@
     <message>
         <source>There are no panels: choose sketches or flat faces.</source>
         <translation>Es gibt keine Bahnen: Skizzen oder ebene Flächen wählen.</translation>
+    </message>
+    <message>
+        <source>There are seams in the planes of symmetry already.</source>
+        <translation>In den Symmetrieebenen sind schon Nähte.</translation>
     </message>
     <message>
         <source>There can be 0 to {0} notches, not {1}, with a depth above 0.</source>
@@ -4749,6 +5085,14 @@
     <message>
         <source>There is no room for a flange of {0} there: choose another place or a smaller one.</source>
         <translation>Dort ist kein Platz für einen Flansch von {0}: einen anderen Ort oder einen kleineren wählen.</translation>
+    </message>
+    <message>
+        <source>There is no seam between panels {0}.</source>
+        <translation>Zwischen den Bahnen {0} ist keine Naht.</translation>
+    </message>
+    <message>
+        <source>There is no seam near {0}.</source>
+        <translation>Nahe {0} ist keine Naht.</translation>
     </message>
     <message>
         <source>There is no seam {0} for the opening: the seams are 1 to {1}.</source>
@@ -4887,6 +5231,10 @@
         <translation>Dreiecke des Netzes, die auf anderen lagen, wurden weggelassen: {0}.</translation>
     </message>
     <message>
+        <source>Triangles of the mesh that stood on its surface, or were walls inside it, were left out: {0}.</source>
+        <translation>Dreiecke des Netzes, die auf seiner Oberfläche standen oder Wände in seinem Inneren waren, wurden weggelassen: {0}.</translation>
+    </message>
+    <message>
         <source>Triangles of the mesh that were the wrong way round were turned: {0}.</source>
         <translation>Dreiecke des Netzes, die falsch herum lagen, wurden gewendet: {0}.</translation>
     </message>
@@ -4895,12 +5243,20 @@
         <translation>Dreiecke des Netzes, deren Punkte keine Zahlen sind, wurden weggelassen: {0}.</translation>
     </message>
     <message>
+        <source>Triangles that crossed others were cut out, and closed: {0}.</source>
+        <translation>Dreiecke, die andere kreuzten, wurden herausgeschnitten und die Lücken geschlossen: {0}.</translation>
+    </message>
+    <message>
         <source>Try temperature and time on two scraps: the weld must stretch or tear before it opens.</source>
         <translation>Temperatur und Zeit an zwei Reststücken ausprobieren: Die Naht muss sich dehnen oder reißen, bevor sie aufgeht.</translation>
     </message>
     <message>
         <source>Turns</source>
         <translation>Wendet sich</translation>
+    </message>
+    <message>
+        <source>Twelve panels that follow a solid: change its sizes in the spreadsheet</source>
+        <translation>Zwölf Bahnen, die einem Volumenkörper folgen: seine Maße in der Tabelle ändern</translation>
     </message>
     <message>
         <source>Two circles: change their diameters in the sketch</source>
@@ -4933,6 +5289,10 @@
     <message>
         <source>Type = for an expression</source>
         <translation>Mit = einen Ausdruck eingeben</translation>
+    </message>
+    <message>
+        <source>Type two places for a cut, such as 10 0 50; 10 20 50, or choose a seam and type one.</source>
+        <translation>Zwei Stellen für einen Schnitt eingeben, etwa 10 0 50; 10 20 50, oder eine Naht wählen und eine eingeben.</translation>
     </message>
     <message>
         <source>Undo (Ctrl+Z)</source>
@@ -4969,6 +5329,10 @@
     <message>
         <source>Volume</source>
         <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Volume of the body: {0}, the balloon has {1} of it</source>
+        <translation>Volumen des Körpers: {0}, der Ballon hat {1} davon</translation>
     </message>
     <message>
         <source>Warm air</source>
@@ -5037,6 +5401,14 @@
     <message>
         <source>Welded across, last</source>
         <translation>Quer verschweißt, zuletzt</translation>
+    </message>
+    <message>
+        <source>Welding</source>
+        <translation>Schweißen</translation>
+    </message>
+    <message>
+        <source>Welding: {0}</source>
+        <translation>Schweißen: {0}</translation>
     </message>
     <message>
         <source>Welds easily with an impulse sealer or an iron. Yields at about 9 MPa, half its tensile strength, and creeps: keep the pressure low.</source>
@@ -5119,8 +5491,28 @@
         <translation>Mit den Schriften dieses Rechners lässt sich {0} nicht zeichnen, Buchstabe für Buchstabe von links nach rechts: es in der Beschriftung weglassen oder eine Schrift installieren, die es hat, und neu starten.</translation>
     </message>
     <message>
+        <source>With {0} panels some would cross themselves when laid flat: the body has {1}.</source>
+        <translation>Mit {0} Bahnen würden sich manche flach ausgelegt selbst kreuzen: Der Körper hat {1}.</translation>
+    </message>
+    <message>
+        <source>With {0} to {1} panels some would cross themselves when laid flat: give more panels.</source>
+        <translation>Mit {0} bis {1} Bahnen würden sich manche flach ausgelegt selbst kreuzen: mehr Bahnen angeben.</translation>
+    </message>
+    <message>
         <source>Within</source>
         <translation>Innerhalb von</translation>
+    </message>
+    <message>
+        <source>Without this seam panel {0} goes round the body and cannot be laid flat.</source>
+        <translation>Ohne diese Naht läuft Bahn {0} um den Körper herum und lässt sich nicht flach auslegen.</translation>
+    </message>
+    <message>
+        <source>Work out how near balloons of 6 to 60 panels come to the body</source>
+        <translation>Ausrechnen, wie nahe Ballons aus 6 bis 60 Bahnen dem Körper kommen</translation>
+    </message>
+    <message>
+        <source>Wrinkles</source>
+        <translation>Falten</translation>
     </message>
     <message>
         <source>Write all results for ParaView (.vtu) or NumPy (.npz), or the shape alone (.stl)</source>
@@ -5141,6 +5533,10 @@
     <message>
         <source>Write {"a": ["top", 0, 1], "b": ["side", 3, 2]}.</source>
         <translation>{"a": ["top", 0, 1], "b": ["side", 3, 2]} schreiben.</translation>
+    </message>
+    <message>
+        <source>Write {"do": "cut", "at": [[0, 0, 50], [100, 0, 20]]}.</source>
+        <translation>{"do": "cut", "at": [[0, 0, 50], [100, 0, 20]]} schreiben.</translation>
     </message>
     <message>
         <source>Write {"name": "top", "outer": [[0, 0], [300, 0], [150, 200]]}.</source>
@@ -5195,6 +5591,10 @@
         <translation>ein Körper besteht aus sich selbst oder aus einem, den es nicht gibt</translation>
     </message>
     <message>
+        <source>a body hangs together</source>
+        <translation>ein Körper hängt zusammen</translation>
+    </message>
+    <message>
         <source>a coordinate is not a number</source>
         <translation>eine Koordinate ist keine Zahl</translation>
     </message>
@@ -5205,6 +5605,10 @@
     <message>
         <source>a point is no three numbers.</source>
         <translation>ein Punkt besteht nicht aus drei Zahlen.</translation>
+    </message>
+    <message>
+        <source>a sleeve has an end</source>
+        <translation>ein Schlauch hat ein Ende</translation>
     </message>
     <message>
         <source>a transform is not a number</source>
@@ -5235,6 +5639,10 @@
         <translation>ein anderer Lauf schreibt dort seit einer Minute</translation>
     </message>
     <message>
+        <source>any accuracy</source>
+        <translation>beliebige Genauigkeit</translation>
+    </message>
+    <message>
         <source>apart {} in the mean, 95 % below {}, at most {}</source>
         <translation>Abstand im Mittel {}, 95 % unter {}, höchstens {}</translation>
     </message>
@@ -5245,6 +5653,10 @@
     <message>
         <source>artwork.pdf was left out. {0}</source>
         <translation>artwork.pdf wurde weggelassen. {0}</translation>
+    </message>
+    <message>
+        <source>at most </source>
+        <translation>höchstens </translation>
     </message>
     <message>
         <source>at most {} ({})</source>
@@ -5265,6 +5677,10 @@
     <message>
         <source>bed_mm is {0}: give [width, height], or null where there is no limit.</source>
         <translation>bed_mm ist {0}: [Breite, Höhe] angeben, oder null, wo es keine Grenze gibt.</translation>
+    </message>
+    <message>
+        <source>both lie on borders of one piece</source>
+        <translation>beide liegen am Rand desselben Stücks</translation>
     </message>
     <message>
         <source>choose Drawn as filled shape</source>
@@ -5323,6 +5739,10 @@
         <translation>Herunterladen</translation>
     </message>
     <message>
+        <source>few panels</source>
+        <translation>wenige Bahnen</translation>
+    </message>
+    <message>
         <source>film</source>
         <translation>Folie</translation>
     </message>
@@ -5363,6 +5783,10 @@
         <translation>Helium</translation>
     </message>
     <message>
+        <source>hide {} of the film's width</source>
+        <translation>verbergen {} der Folienbreite</translation>
+    </message>
+    <message>
         <source>hint</source>
         <translation>Hinweis</translation>
     </message>
@@ -5397,6 +5821,10 @@
     <message>
         <source>in the mean {} ({})</source>
         <translation>im Mittel {} ({})</translation>
+    </message>
+    <message>
+        <source>in the mean {}, 95 % below {}, at most {}</source>
+        <translation>im Mittel {}, 95 % unter {}, höchstens {}</translation>
     </message>
     <message>
         <source>in {}</source>
@@ -5499,6 +5927,10 @@
         <translation>unten</translation>
     </message>
     <message>
+        <source>making the document</source>
+        <translation>beim Erzeugen des Dokuments</translation>
+    </message>
+    <message>
         <source>mass</source>
         <translation>Masse</translation>
     </message>
@@ -5567,6 +5999,10 @@
         <translation>Drucken</translation>
     </message>
     <message>
+        <source>reading the solid</source>
+        <translation>beim Lesen des Volumenkörpers</translation>
+    </message>
+    <message>
         <source>right</source>
         <translation>rechts</translation>
     </message>
@@ -5605,6 +6041,10 @@
     <message>
         <source>stopped; {0}.</source>
         <translation>angehalten; {0}.</translation>
+    </message>
+    <message>
+        <source>strain {}</source>
+        <translation>Dehnung {}</translation>
     </message>
     <message>
         <source>strength</source>
@@ -5707,6 +6147,10 @@
         <translation>Versuch {0}, {1}</translation>
     </message>
     <message>
+        <source>true to shape</source>
+        <translation>formtreu</translation>
+    </message>
+    <message>
         <source>unknown: this film has no strength</source>
         <translation>unbekannt: Diese Folie hat keine Festigkeit</translation>
     </message>
@@ -5799,6 +6243,10 @@
         <translation>{0} Punkte je Zoll lassen sich nicht gut drucken: {1} bis {2} angeben.</translation>
     </message>
     <message>
+        <source>{0} follows itself: choose something that is not made of it.</source>
+        <translation>{0} folgt sich selbst: etwas wählen, das nicht daraus gemacht ist.</translation>
+    </message>
+    <message>
         <source>{0} gap between the lines closed, the widest {1} of the drawing's width.</source>
         <translation>{0} Lücke zwischen den Linien geschlossen, {1} der Breite der Zeichnung weit.</translation>
     </message>
@@ -5809,6 +6257,10 @@
     <message>
         <source>{0} has a point that is no number or farther away than {1}. Check its coordinates and the unit.</source>
         <translation>{0} hat einen Punkt, der keine Zahl oder weiter weg als {1} ist. Koordinaten und Einheit prüfen.</translation>
+    </message>
+    <message>
+        <source>{0} has an error: repair it.</source>
+        <translation>{0} hat einen Fehler: ihn beheben.</translation>
     </message>
     <message>
         <source>{0} has fewer than three points. Give all of its corners.</source>
@@ -5887,8 +6339,8 @@
         <translation>{0} ist eine Kante eines Lochs: eine des äußeren Rands als Öffnung wählen.</translation>
     </message>
     <message>
-        <source>{0} is curved both ways, so that its film folds. Give a number of panels, into which the body is divided.</source>
-        <translation>{0} ist in beide Richtungen gekrümmt, sodass die Folie Falten wirft. Eine Zahl von Bahnen angeben, in die der Körper geteilt wird.</translation>
+        <source>{0} is curved both ways: it is cut into {1} strips.</source>
+        <translation>{0} ist in beide Richtungen gekrümmt: in {1} Streifen geschnitten.</translation>
     </message>
     <message>
         <source>{0} is damaged or incomplete ({1}). Install the workbench anew.</source>
@@ -5907,6 +6359,10 @@
         <translation>{0} ist leer: eine geschlossene Linie hineinzeichnen.</translation>
     </message>
     <message>
+        <source>{0} is empty: draw a line in it.</source>
+        <translation>{0} ist leer: eine Linie darin zeichnen.</translation>
+    </message>
+    <message>
         <source>{0} is empty: draw half an outline in it, beside the vertical axis.</source>
         <translation>{0} ist leer: darin einen halben Umriss neben der senkrechten Achse zeichnen.</translation>
     </message>
@@ -5923,8 +6379,16 @@
         <translation>{0} ist in keiner Naht: mit einer anderen Kante verbinden.</translation>
     </message>
     <message>
+        <source>{0} is in the document {1}: copy it into {2} first.</source>
+        <translation>{0} ist im Dokument {1}: zuerst nach {2} kopieren.</translation>
+    </message>
+    <message>
         <source>{0} is in two seams: take one of them away.</source>
         <translation>{0} ist in zwei Nähten: eine davon lösen.</translation>
+    </message>
+    <message>
+        <source>{0} is left out. {1}</source>
+        <translation>{0} wird weggelassen. {1}</translation>
     </message>
     <message>
         <source>{0} is neither DXF nor SVG: let the name end in .dxf or .svg.</source>
@@ -5933,6 +6397,10 @@
     <message>
         <source>{0} is neither VTU, NPZ nor STL: let the name end in .vtu, .npz or .stl.</source>
         <translation>{0} ist weder VTU noch NPZ noch STL: den Namen auf .vtu, .npz oder .stl enden lassen.</translation>
+    </message>
+    <message>
+        <source>{0} is no body: give a solid, a mesh or the path of a file.</source>
+        <translation>{0} ist kein Körper: einen Volumenkörper, ein Netz oder den Pfad einer Datei geben.</translation>
     </message>
     <message>
         <source>{0} is not a coordinate</source>
@@ -5977,6 +6445,10 @@
     <message>
         <source>{0} is {1} long, {2} {3}: make them equally long.</source>
         <translation>{0} ist {1} lang, {2} {3}: beide gleich lang machen.</translation>
+    </message>
+    <message>
+        <source>{0} is {1} long. Scale it, so that it is between {2} and {3}.</source>
+        <translation>{0} ist {1} lang. So skalieren, dass es zwischen {2} und {3} liegt.</translation>
     </message>
     <message>
         <source>{0} is {1}. Seal each edge once: side a goes along its loop from its first point to its second, b against it.</source>
@@ -6131,6 +6603,10 @@
         <translation>{0}{1} hat keine Länge. Einen ihrer Punkte herausnehmen.</translation>
     </message>
     <message>
+        <source>{} ({})</source>
+        <translation>{} ({})</translation>
+    </message>
+    <message>
         <source>{} MB from {}; the file is checked before it is used, and nothing is sent.</source>
         <translation>{} MB von {}; die Datei wird geprüft, bevor sie benutzt wird, und nichts wird gesendet.</translation>
     </message>
@@ -6145,6 +6621,14 @@
     <message>
         <source>{} gores, as many as {} of the profile's diagonal need</source>
         <translation>{} Segmente, so viele wie {} der Diagonale des Profils brauchen</translation>
+    </message>
+    <message>
+        <source>{} in the mean, at most {}</source>
+        <translation>{} im Mittel, höchstens {}</translation>
+    </message>
+    <message>
+        <source>{} inside</source>
+        <translation>{} innen</translation>
     </message>
     <message>
         <source>{} is in the tree</source>
@@ -6175,8 +6659,24 @@
         <translation>{} {}</translation>
     </message>
     <message>
+        <source>{} outside</source>
+        <translation>{} außen</translation>
+    </message>
+    <message>
         <source>{} panels, {} of seams, {} inside</source>
         <translation>{} Bahnen, {} Nähte, {} Inhalt</translation>
+    </message>
+    <message>
+        <source>{} panels, {} seams of {}</source>
+        <translation>{} Bahnen, {} Nähte mit {} Länge</translation>
+    </message>
+    <message>
+        <source>{} panels: about {} off, {} of seams, {} h of welding</source>
+        <translation>{} Bahnen: etwa {} daneben, {} Nähte, {} h Schweißen</translation>
+    </message>
+    <message>
+        <source>{} to {}</source>
+        <translation>{} bis {}</translation>
     </message>
     <message>
         <source>{} x {}, {} thick, {}</source>

@@ -64,6 +64,10 @@
         <translation>Vértices de la costura del patrón</translation>
     </message>
     <message>
+        <source>Corners of the triangles on the flat film; z is not 0 where a face does not unroll</source>
+        <translation>Vértices de los triángulos en la película plana; z no es 0 donde una cara no se desarrolla</translation>
+    </message>
+    <message>
         <source>Corners of the welds inside</source>
         <translation>Vértices de las soldaduras interiores</translation>
     </message>
@@ -116,6 +120,10 @@
         <translation>Bordes que se unen, como Sketch.Edge1=Sketch001.Edge3; los bordes que comparten las caras no hace falta nombrarlos</translation>
     </message>
     <message>
+        <source>Edges that stand for pieces of curves</source>
+        <translation>Bordes que representan trozos de curvas</translation>
+    </message>
+    <message>
         <source>Film left between pieces, and at the edges</source>
         <translation>Película que queda entre piezas y en los bordes</translation>
     </message>
@@ -164,12 +172,12 @@
         <translation>Altura sobre el nivel del mar</translation>
     </message>
     <message>
-        <source>Height of a body from a file; 0 follows</source>
-        <translation>Altura de un cuerpo de un archivo; 0 resulta</translation>
+        <source>Height of a body from a file, along z; 0 follows</source>
+        <translation>Altura de un cuerpo de un archivo, según z; 0 resulta</translation>
     </message>
     <message>
-        <source>Height of a mesh from a file, along z; 0 follows</source>
-        <translation>Altura de una malla de un archivo, según z; 0 resulta</translation>
+        <source>Height of a body from a file; 0 follows</source>
+        <translation>Altura de un cuerpo de un archivo; 0 resulta</translation>
     </message>
     <message>
         <source>Height of all that is cut</source>
@@ -212,8 +220,8 @@
         <translation>A qué distancia a lo largo de esa costura, de 0 a 1 de su longitud; 0 toma su mitad, o la del borde</translation>
     </message>
     <message>
-        <source>How far the balloon may be from its profile, in parts of the profile's diagonal</source>
-        <translation>Cuánto puede apartarse el globo de su perfil, en partes de la diagonal del perfil</translation>
+        <source>How far the balloon may be from its profile or body on average, in parts of the diagonal</source>
+        <translation>Cuánto puede apartarse de media el globo de su perfil o cuerpo, en partes de la diagonal</translation>
     </message>
     <message>
         <source>How far the print goes past the cut</source>
@@ -260,6 +268,10 @@
         <translation>Cómo se cierra el extremo inferior</translation>
     </message>
     <message>
+        <source>How the seams were changed: panels merged, seams cut and moved, one JSON text each</source>
+        <translation>Cómo se cambiaron las costuras: paneles unidos, costuras cortadas y movidas, un texto JSON cada una</translation>
+    </message>
+    <message>
         <source>How the upper end is closed</source>
         <translation>Cómo se cierra el extremo superior</translation>
     </message>
@@ -272,8 +284,8 @@
         <translation>Anchura interior del cuello, o calibre de la boquilla</translation>
     </message>
     <message>
-        <source>Into how many panels the body is divided; 0 takes the faces of a solid, 16 panels of a mesh</source>
-        <translation>En cuántos paneles se divide el cuerpo; 0 toma las caras de un sólido, o 16 paneles de una malla</translation>
+        <source>Into how many panels the body is divided; 0 takes the faces of a solid, 16 panels of a mesh; 1 takes only the seams that are drawn</source>
+        <translation>En cuántos paneles se divide el cuerpo; 0 toma las caras de un sólido, o 16 paneles de una malla; 1 toma solo las costuras dibujadas</translation>
     </message>
     <message>
         <source>It carries itself</source>
@@ -568,8 +580,8 @@
         <translation>Resultado que se muestra en colores, con leyenda</translation>
     </message>
     <message>
-        <source>STL, OBJ, PLY, 3MF or STEP file of a closed body; a copy travels in the document</source>
-        <translation>Archivo STL, OBJ, PLY, 3MF o STEP de un cuerpo cerrado; una copia viaja en el documento</translation>
+        <source>STL, OBJ, PLY, 3MF, STEP, IGES or BREP file of a closed body; a copy travels in the document</source>
+        <translation>Archivo STL, OBJ, PLY, 3MF, STEP, IGES o BREP de un cuerpo cerrado; una copia viaja en el documento</translation>
     </message>
     <message>
         <source>SVG, DXF or JSON file of half the outline; a copy travels in the document</source>
@@ -602,6 +614,14 @@
     <message>
         <source>Sketch, wire or face that the outline follows instead of a file</source>
         <translation>Croquis, alambre o cara que sigue el contorno en vez de un archivo</translation>
+    </message>
+    <message>
+        <source>Sketches are projected onto the side that is nearer to them only</source>
+        <translation>Los croquis se proyectan solo sobre el lado más cercano a ellos</translation>
+    </message>
+    <message>
+        <source>Sketches whose lines are seams: they are projected onto the body along the normal of their plane</source>
+        <translation>Croquis cuyas líneas son costuras: se proyectan sobre el cuerpo según la normal de su plano</translation>
     </message>
     <message>
         <source>Sketches, wires and flat faces that are the panels, each seen from outside</source>
@@ -706,6 +726,10 @@
     <message>
         <source>Thickness of the inflated balloon</source>
         <translation>Grosor del globo inflado</translation>
+    </message>
+    <message>
+        <source>Three places on each of these, flat</source>
+        <translation>Tres puntos en cada uno de ellos, en plano</translation>
     </message>
     <message>
         <source>Three points of each triangle</source>
@@ -896,8 +920,8 @@
         <translation>Anchura desde la que se sostiene; 0: nunca</translation>
     </message>
     <message>
-        <source>Width of a mesh from a file, along x; 0 follows from the height, or the file</source>
-        <translation>Anchura de una malla de un archivo, según x; 0 resulta de la altura, o del archivo</translation>
+        <source>Width of a body from a file, along x; 0 follows from the height, or the file</source>
+        <translation>Anchura de un cuerpo de un archivo, según x; 0 resulta de la altura, o del archivo</translation>
     </message>
     <message>
         <source>Width of a side band between front and back; 0 is two panels</source>
@@ -1051,8 +1075,8 @@
         <translation>«{0}» no es SVG, DXF ni JSON. Guarde el dibujo como uno de ellos.</translation>
     </message>
     <message>
-        <source>'{0}' is no closed body: leave out --panels, or give an STL, OBJ, PLY or 3MF.</source>
-        <translation>«{0}» no es un cuerpo cerrado: quite --panels, o dé un STL, OBJ, PLY o 3MF.</translation>
+        <source>'{0}' is no closed body: leave out --panels, or give an STL, OBJ, PLY, 3MF or STEP.</source>
+        <translation>«{0}» no es un cuerpo cerrado: quite --panels, o dé un STL, OBJ, PLY, 3MF o STEP.</translation>
     </message>
     <message>
         <source>'{0}' is no size: write 500mm for a width, 500mmx700mm for width and height.</source>
@@ -1077,6 +1101,10 @@
     <message>
         <source>'{0}' is not a {1}; write it like {2}.</source>
         <translation>«{0}» no sirve aquí ({1}); escríbalo como {2}.</translation>
+    </message>
+    <message>
+        <source>'{0}' is read by FreeCAD, which is not there: install it for the Python that runs this, or give an STL of the solid.</source>
+        <translation>«{0}» lo lee FreeCAD, que no está: instálelo para el Python que ejecuta esto, o dé un STL del sólido.</translation>
     </message>
     <message>
         <source>'{}' is not a picture. Save it as PNG, JPEG or BMP once more.</source>
@@ -1135,8 +1163,12 @@
         <translation>Un cuerpo no se puede hacer de {0} gajos. Tome de {1} a {2}.</translation>
     </message>
     <message>
-        <source>A body has 2 panels or more: say how many.</source>
-        <translation>Un cuerpo tiene al menos 2 paneles: diga cuántos.</translation>
+        <source>A body has 2 panels or more: these are the last ones.</source>
+        <translation>Un cuerpo tiene 2 paneles o más: estos son los últimos.</translation>
+    </message>
+    <message>
+        <source>A body is divided into 2 to {0} panels: say how many.</source>
+        <translation>Un cuerpo se divide en 2 a {0} paneles: diga cuántos.</translation>
     </message>
     <message>
         <source>A body of gores has no side band: leave out what you give of the one or of the other.</source>
@@ -1149,6 +1181,10 @@
     <message>
         <source>A corner relief of {0} would cut into the weld: choose a smaller radius or a wider allowance.</source>
         <translation>Un alivio de esquinas de {0} cortaría la soldadura: elija un radio menor o un margen mayor.</translation>
+    </message>
+    <message>
+        <source>A cow from a mesh, by Keenan Crane: change the number of panels</source>
+        <translation>Una vaca a partir de una malla, de Keenan Crane: cambie el número de paneles</translation>
     </message>
     <message>
         <source>A drawing with welds inside is not made symmetric: draw it so, and turn this off.</source>
@@ -1185,6 +1221,14 @@
     <message>
         <source>A lift of {0} is out of reach: {1} large, this balloon would lack {2}. Choose a lighter film or gas, a smaller lift, or a rounder shape.</source>
         <translation>Una sustentación de {0} es inalcanzable: con {1}, a este globo le faltarían {2}. Elija película o gas más ligeros, menos sustentación o una forma más redonda.</translation>
+    </message>
+    <message>
+        <source>A line that is projected needs a direction. Give one.</source>
+        <translation>Una línea que se proyecta necesita una dirección. Indique una.</translation>
+    </message>
+    <message>
+        <source>A line that is projected needs two points or more. Draw them.</source>
+        <translation>Una línea que se proyecta necesita dos puntos o más. Dibújelos.</translation>
     </message>
     <message>
         <source>A mesh of {0} is too coarse for a shape of {1}: use at most {2}.</source>
@@ -1231,8 +1275,28 @@
         <translation>Una caja almohada no puede ser más profunda que ancha. Elija una profundidad menor.</translation>
     </message>
     <message>
+        <source>A plane needs its normal. Give one.</source>
+        <translation>Un plano necesita su normal. Indique una.</translation>
+    </message>
+    <message>
+        <source>A seam cannot be moved so far: it would meet another one.</source>
+        <translation>Una costura no se puede mover tan lejos: tocaría otra.</translation>
+    </message>
+    <message>
+        <source>A seam cannot be moved so far: one of its panels would be lost.</source>
+        <translation>Una costura no se puede mover tan lejos: se perdería uno de sus paneles.</translation>
+    </message>
+    <message>
         <source>A seam closes an edge of a triangle to a point. Check which runs it joins.</source>
         <translation>Una costura cierra el borde de un triángulo en un punto. Compruebe qué tramos une.</translation>
+    </message>
+    <message>
+        <source>A seam near {0} has one place only. Draw it through two.</source>
+        <translation>Una costura cerca de {0} tiene un solo lugar. Dibújela por dos.</translation>
+    </message>
+    <message>
+        <source>A seam near {0} would pass the same place twice. Draw it in two parts.</source>
+        <translation>Una costura cerca de {0} pasaría dos veces por el mismo lugar. Dibújela en dos partes.</translation>
     </message>
     <message>
         <source>A sketch with dimensions: change a cell of the spreadsheet, and all follows</source>
@@ -1335,6 +1399,10 @@
         <translation>A lo largo de la costura</translation>
     </message>
     <message>
+        <source>Also on the other side</source>
+        <translation>También en el otro lado</translation>
+    </message>
+    <message>
         <source>Aluminised BOPP foil, 30 µm</source>
         <translation>Película BOPP aluminizada, 30 µm</translation>
     </message>
@@ -1345,6 +1413,10 @@
     <message>
         <source>Aluminised nylon/PE foil (party balloon), 30 µm</source>
         <translation>Película de nailon/PE aluminizada (globo de fiesta), 30 µm</translation>
+    </message>
+    <message>
+        <source>An accuracy is for a balloon that follows its body: give the number of panels of one that encloses or lines it.</source>
+        <translation>La precisión vale para un globo que sigue su cuerpo: si lo envuelve o lo reviste por dentro, indique el número de paneles.</translation>
     </message>
     <message>
         <source>An animation needs at least two frames, not {0}.</source>
@@ -1393,6 +1465,10 @@
     <message>
         <source>Assembly sheet written to {}</source>
         <translation>Hoja de montaje escrita en {}</translation>
+    </message>
+    <message>
+        <source>At worst the film lies {0} on the wrong side of the body, and a margin of {1} was asked for. Take more panels, or a larger margin.</source>
+        <translation>En el peor lugar la película está {0} en el lado equivocado del cuerpo y se pidió un margen de {1}. Tome más paneles o un margen mayor.</translation>
     </message>
     <message>
         <source>At {0} dots per inch the sheet would have {1} x {2} pixels: give a lower resolution.</source>
@@ -1491,6 +1567,14 @@
         <translation>Los dos lados de una costura deben ser igual de largos</translation>
     </message>
     <message>
+        <source>Bottle</source>
+        <translation>Botella</translation>
+    </message>
+    <message>
+        <source>Bring the 3D view of the document to the front first.</source>
+        <translation>Ponga primero delante la vista 3D del documento.</translation>
+    </message>
+    <message>
         <source>Brush</source>
         <translation>Pincel</translation>
     </message>
@@ -1579,6 +1663,26 @@
         <translation>Elija los patrones que se van a colocar.</translation>
     </message>
     <message>
+        <source>Click a seam: its panels become one. Esc: done.</source>
+        <translation>Haga clic en una costura: sus paneles se unen en uno. Esc: terminar.</translation>
+    </message>
+    <message>
+        <source>Click a seam: the panels beside it become one</source>
+        <translation>Haga clic en una costura: los paneles a sus lados se unen en uno</translation>
+    </message>
+    <message>
+        <source>Click two places: a seam runs between them</source>
+        <translation>Haga clic en dos lugares: una costura va de uno a otro</translation>
+    </message>
+    <message>
+        <source>Click where the new seam begins. Esc: done.</source>
+        <translation>Haga clic donde empieza la nueva costura. Esc: terminar.</translation>
+    </message>
+    <message>
+        <source>Click where the seam ends. Esc: another start.</source>
+        <translation>Haga clic donde acaba la costura. Esc: otro comienzo.</translation>
+    </message>
+    <message>
         <source>Close the open task panel first.</source>
         <translation>Cierre primero el panel de tareas abierto.</translation>
     </message>
@@ -1609,6 +1713,10 @@
     <message>
         <source>Custom</source>
         <translation>Personalizada</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Cortar</translation>
     </message>
     <message>
         <source>Cut all panels from {film}, as they are drawn: so they are seen from outside, with the sealing side below.</source>
@@ -1671,8 +1779,8 @@
         <translation>Distancia</translation>
     </message>
     <message>
-        <source>Distance from profile or drawing</source>
-        <translation>Distancia al perfil o al dibujo</translation>
+        <source>Distance from profile, drawing or body</source>
+        <translation>Distancia al perfil, al dibujo o al cuerpo</translation>
     </message>
     <message>
         <source>Dividing a body needs scipy: install it with pip install scipy.</source>
@@ -1681,6 +1789,14 @@
     <message>
         <source>Dots per inch</source>
         <translation>Puntos por pulgada</translation>
+    </message>
+    <message>
+        <source>Drag a seam to where it shall run. Esc: done.</source>
+        <translation>Arrastre una costura adonde deba ir. Esc: terminar.</translation>
+    </message>
+    <message>
+        <source>Drag a seam: it runs through the place</source>
+        <translation>Arrastre una costura: pasará por ese lugar</translation>
     </message>
     <message>
         <source>Drag in the view</source>
@@ -1707,6 +1823,10 @@
         <translation>Dibujo sobre la silueta</translation>
     </message>
     <message>
+        <source>Drawing seams needs scipy: install it with pip install scipy.</source>
+        <translation>Dibujar costuras necesita scipy: instálelo con pip install scipy.</translation>
+    </message>
+    <message>
         <source>Drawing {0}</source>
         <translation>Dibujando {0}</translation>
     </message>
@@ -1727,8 +1847,8 @@
         <translation>Cada color de trazo se convierte en una operación: corte rojo, azul y naranja, y ponga todos los demás en ignorar. No lee DXF.</translation>
     </message>
     <message>
-        <source>Edges of the mesh at which more than two triangles meet: {0}. Repair it in the program that it comes from, so that it is the surface of a solid.</source>
-        <translation>Bordes de la malla en los que se juntan más de dos triángulos: {0}. Repárela en el programa del que viene, para que sea la superficie de un sólido.</translation>
+        <source>Edges of the mesh at which more than two triangles meet: {0}, one of them at ({1}) of the mesh. Repair it in the program that it comes from, so that it is the surface of a solid.</source>
+        <translation>Bordes de la malla en los que se juntan más de dos triángulos: {0}, uno de ellos en ({1}) de la malla. Repárela en el programa del que viene, para que sea la superficie de un sólido.</translation>
     </message>
     <message>
         <source>Edit artwork</source>
@@ -1741,6 +1861,10 @@
     <message>
         <source>Edit film</source>
         <translation>Editar lámina de película</translation>
+    </message>
+    <message>
+        <source>Eight panels for a solid with fillets: change its section or their number</source>
+        <translation>Ocho paneles para un sólido con redondeos: cambie su sección o el número de paneles</translation>
     </message>
     <message>
         <source>Elastic</source>
@@ -1779,6 +1903,10 @@
         <translation>Expresión</translation>
     </message>
     <message>
+        <source>Face{0} of {1} is curved so much that it would take {2} strips of film. Give a number of panels, or leave such details out of the solid.</source>
+        <translation>Face{0} de {1} está tan curvada que necesitaría {2} tiras de película. Indique un número de paneles, o quite esos detalles del sólido.</translation>
+    </message>
+    <message>
         <source>Farthest point</source>
         <translation>Punto más lejano</translation>
     </message>
@@ -1801,6 +1929,14 @@
     <message>
         <source>Fetching {0} ({1} MB) into {2}; only the file with SHA-256 {3} is kept.</source>
         <translation>Descargando {0} ({1} MB) en {2}; solo se conserva el archivo con SHA-256 {3}.</translation>
+    </message>
+    <message>
+        <source>Few panels or true to shape</source>
+        <translation>Pocos paneles o fiel a la forma</translation>
+    </message>
+    <message>
+        <source>Few panels or true to shape?</source>
+        <translation>¿Pocos paneles o fiel a la forma?</translation>
     </message>
     <message>
         <source>File</source>
@@ -1845,6 +1981,10 @@
     <message>
         <source>Filled shape</source>
         <translation>Forma rellena</translation>
+    </message>
+    <message>
+        <source>Filleted housing</source>
+        <translation>Carcasa con redondeos</translation>
     </message>
     <message>
         <source>Film</source>
@@ -1927,8 +2067,8 @@
         <translation>Los fotogramas son regulares en movimiento, no en tiempo. Solo la película tiene masa, el gas no.</translation>
     </message>
     <message>
-        <source>FreeCAD cannot make the document ({0}). {1}</source>
-        <translation>FreeCAD no puede crearlo ({0}). {1}</translation>
+        <source>FreeCAD failed while {0} ({1}). {2}</source>
+        <translation>FreeCAD falló al {0} ({1}). {2}</translation>
     </message>
     <message>
         <source>FreeCAD has no material card "{0}": choose one of its material editor.</source>
@@ -1939,8 +2079,8 @@
         <translation>Necesita una carpeta personal y una temporal en las que pueda escribir, y memoria.</translation>
     </message>
     <message>
-        <source>FreeCAD stopped before the document was done ({0}). {1}</source>
-        <translation>FreeCAD se cerró ({0}). {1}</translation>
+        <source>FreeCAD stopped while {0} ({1}). {2}</source>
+        <translation>FreeCAD se detuvo al {0} ({1}). {2}</translation>
     </message>
     <message>
         <source>From the flat film to the balloon at rest</source>
@@ -1969,6 +2109,10 @@
     <message>
         <source>Give --artwork for the front too.</source>
         <translation>Indique también --artwork para el frente.</translation>
+    </message>
+    <message>
+        <source>Give a number of panels, into which the body is divided.</source>
+        <translation>Indique un número de paneles en que se divida el cuerpo.</translation>
     </message>
     <message>
         <source>Give either --material, or all of --young, --poisson and --thickness.</source>
@@ -2095,6 +2239,10 @@
         <translation>La distancia de la abertura a lo largo de su costura debe ser de 0 a 1.</translation>
     </message>
     <message>
+        <source>How far the balloon may be from the body on average, of the body's diagonal</source>
+        <translation>Cuánto puede apartarse de media el globo del cuerpo, como parte de la diagonal del cuerpo</translation>
+    </message>
+    <message>
         <source>How far the outline moves if the weld creases could not be simulated. {0}</source>
         <translation>No se pudo simular cuánto se mueve el contorno si la soldadura se arruga. {0}</translation>
     </message>
@@ -2183,8 +2331,24 @@
         <translation>Aún no está inflado: elija «Inflar ahora» en su menú contextual o active En vivo.</translation>
     </message>
     <message>
+        <source>It is not repeated on the other side. {0}</source>
+        <translation>No se repite en el otro lado. {0}</translation>
+    </message>
+    <message>
         <source>It is wider now. Ctrl+Z takes that back.</source>
         <translation>Ahora es más ancho. Ctrl+Z lo deshace.</translation>
+    </message>
+    <message>
+        <source>It lies</source>
+        <translation>Queda</translation>
+    </message>
+    <message>
+        <source>It needs more places: give them all.</source>
+        <translation>Necesita más lugares: indíquelos todos.</translation>
+    </message>
+    <message>
+        <source>It takes {0} h at {1} m/min and {2} min for each seam.</source>
+        <translation>Lleva {0} h a {1} m/min y {2} min por cada costura.</translation>
     </message>
     <message>
         <source>Its pattern is gone: delete it.</source>
@@ -2225,6 +2389,10 @@
     <message>
         <source>Labels need matplotlib: install it with pip install matplotlib, or leave the label empty.</source>
         <translation>Las etiquetas necesitan matplotlib: instálelo con pip install matplotlib o deje la etiqueta vacía.</translation>
+    </message>
+    <message>
+        <source>Laid flat</source>
+        <translation>Aplanado</translation>
     </message>
     <message>
         <source>Laid one piece after another: the package spyrrow (pip install spyrrow) often finds a closer layout.</source>
@@ -2363,6 +2531,10 @@
         <translation>Se unieron al dibujo extremos sueltos de líneas.</translation>
     </message>
     <message>
+        <source>Loose film: {0}, wrinkled: {1}; wrinkles hide {2} of it</source>
+        <translation>Película floja: {0}, arrugada: {1}; las arrugas ocultan {2} de ella</translation>
+    </message>
+    <message>
         <source>Low</source>
         <translation>Abajo</translation>
     </message>
@@ -2409,6 +2581,10 @@
     <message>
         <source>Membrane tension</source>
         <translation>Tensión de membrana</translation>
+    </message>
+    <message>
+        <source>Merge</source>
+        <translation>Unir</translation>
     </message>
     <message>
         <source>Mesh reuse needs scipy: install it with pip install scipy.</source>
@@ -2523,6 +2699,10 @@
         <translation>Newmark</translation>
     </message>
     <message>
+        <source>No balloon came within {0} of the body's diagonal: tried were {1} panels. This is the nearest one, {2}. Ask for less, or divide the body yourself where the film stays far from it.</source>
+        <translation>Ningún globo quedó a menos de {0} de la diagonal del cuerpo: se probaron {1} paneles. Este es el más cercano, con {2}. Pida menos, o divida usted el cuerpo donde la película queda lejos de él.</translation>
+    </message>
+    <message>
         <source>No balloon can be inflated anew without it; patterns can be changed and written.</source>
         <translation>Sin él no se puede inflar ningún globo de nuevo; los patrones se pueden cambiar y escribir.</translation>
     </message>
@@ -2539,6 +2719,10 @@
         <translation>Sin límite</translation>
     </message>
     <message>
+        <source>No number of panels up to {} comes so near. {} panels: about {} off</source>
+        <translation>Ningún número de paneles hasta {} se acerca tanto. {} paneles: desvío de unos {}</translation>
+    </message>
+    <message>
         <source>No panel has an edge "{0}": choose one of an outline or face of this bag.</source>
         <translation>Ningún panel tiene un borde «{0}»: elija uno de un contorno o de una cara de esta bolsa.</translation>
     </message>
@@ -2553,6 +2737,10 @@
     <message>
         <source>No pattern here has pieces of "{0}": choose another film.</source>
         <translation>Ningún patrón de aquí tiene piezas de «{0}»: elija otra película.</translation>
+    </message>
+    <message>
+        <source>No seam can be drawn near {0}.</source>
+        <translation>No se puede dibujar ninguna costura cerca de {0}.</translation>
     </message>
     <message>
         <source>No shape stands out in the picture. Use stronger colours or a plainer background.</source>
@@ -2673,6 +2861,10 @@
     <message>
         <source>Offer the native solver where it is missing</source>
         <translation>Ofrecer el solucionador nativo cuando falte</translation>
+    </message>
+    <message>
+        <source>On a symmetric body a change is repeated where its mirror image lies</source>
+        <translation>En un cuerpo simétrico, un cambio se repite donde está su imagen especular</translation>
     </message>
     <message>
         <source>On the way of the valve the balloon narrows to {0} at {1}; its channel takes {2} with its welds there. Make the neck wider or put it elsewhere, else the weld closes the valve.</source>
@@ -2807,6 +2999,14 @@
         <translation>El panel «{0}» es toda la superficie y no tiene borde: divida el cuerpo en más paneles.</translation>
     </message>
     <message>
+        <source>Panel '{0}' would cross itself when laid flat. {1}</source>
+        <translation>El panel «{0}» se cruzaría consigo mismo al aplanarlo. {1}</translation>
+    </message>
+    <message>
+        <source>Panel {0} goes round a part of the body: it is cut open there.</source>
+        <translation>El panel {0} rodea una parte del cuerpo: se abre ahí con un corte.</translation>
+    </message>
+    <message>
         <source>Panel {0} has a triangle with a vertex that is not there. Mesh it anew.</source>
         <translation>El panel {0} tiene un triángulo con un vértice que no existe. Vuelva a mallarlo.</translation>
     </message>
@@ -2847,6 +3047,10 @@
         <translation>El panel {0} se inclina {1} entre delante y detrás. Haga ahí la banda lateral más estrecha, o las partes del dibujo más anchas.</translation>
     </message>
     <message>
+        <source>Panel {0} near {1} goes round the body and cannot be laid flat. Draw a seam across it.</source>
+        <translation>El panel {0} cerca de {1} rodea el cuerpo y no se puede aplanar. Dibuje una costura a través de él.</translation>
+    </message>
+    <message>
         <source>Panel {0} of the JSON file has no name or no 'outer' loop. {1}</source>
         <translation>El panel {0} del archivo JSON no tiene nombre o no tiene 'outer'. {1}</translation>
     </message>
@@ -2865,6 +3069,10 @@
     <message>
         <source>Panels are laid on the film in rows instead of closely; nothing else changes.</source>
         <translation>Los paneles se colocan en filas en vez de apretados; nada más cambia.</translation>
+    </message>
+    <message>
+        <source>Panels laid flat: strained by {0} on average, at most {1}</source>
+        <translation>Paneles aplanados: deformación de {0} de media, como mucho {1}</translation>
     </message>
     <message>
         <source>Panels with gussets, whose sizes come from a spreadsheet</source>
@@ -2989,6 +3197,10 @@
     <message>
         <source>Place on the seam</source>
         <translation>Lugar en la costura</translation>
+    </message>
+    <message>
+        <source>Places on the body in mm: two for a cut, one for the chosen seam to be moved to</source>
+        <translation>Lugares sobre el cuerpo en mm: dos para un corte, uno adonde mover la costura elegida</translation>
     </message>
     <message>
         <source>Plain PET does not weld to itself: take a grade with a sealing layer, or tape. The aluminium (some 50 nm) adds neither stiffness nor weight. What shops sell as Mylar balloons is mostly nylon-foil.</source>
@@ -3275,6 +3487,10 @@
         <translation>Costura</translation>
     </message>
     <message>
+        <source>Seam edit {0}</source>
+        <translation>Cambio de costura {0}</translation>
+    </message>
+    <message>
         <source>Seam length</source>
         <translation>Longitud de costura</translation>
     </message>
@@ -3337,6 +3553,22 @@
     <message>
         <source>Seam {0} of the JSON file has no two sides 'a' and 'b'. {1}</source>
         <translation>La costura {0} del archivo JSON no tiene dos lados 'a' y 'b'. {1}</translation>
+    </message>
+    <message>
+        <source>Seam {0} of the list does none of {1}. {2}</source>
+        <translation>La costura {0} de la lista no hace nada de esto: {1}. {2}</translation>
+    </message>
+    <message>
+        <source>Seam {0} of the list has a place that is not [x, y, z]. {1}</source>
+        <translation>La costura {0} de la lista tiene un lugar que no es [x, y, z]. {1}</translation>
+    </message>
+    <message>
+        <source>Seam {0} of the list has an unknown '{1}'. Use {2}.</source>
+        <translation>La costura {0} de la lista tiene un '{1}' desconocido. Use {2}.</translation>
+    </message>
+    <message>
+        <source>Seam {0} of the list: 'side' is '{1}' or '{2}', 'mirrored' is true or false.</source>
+        <translation>Costura {0} de la lista: 'side' es '{1}' o '{2}', 'mirrored' es true o false.</translation>
     </message>
     <message>
         <source>Seam {0}: {1} to {2}, last, with the opening.</source>
@@ -3519,6 +3751,10 @@
         <translation>Separación</translation>
     </message>
     <message>
+        <source>Spot in 16 panels</source>
+        <translation>Spot en 16 paneles</translation>
+    </message>
+    <message>
         <source>Steps</source>
         <translation>Pasos</translation>
     </message>
@@ -3575,6 +3811,14 @@
         <translation>Fijadas a un panel</translation>
     </message>
     <message>
+        <source>Take a tool to change the seams, or choose one and press Delete to merge.</source>
+        <translation>Elija una herramienta para cambiar las costuras, o elija una costura y pulse Supr para unir.</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Deshacer</translation>
+    </message>
+    <message>
         <source>Take everything off the paper</source>
         <translation>Quitar todo del papel</translation>
     </message>
@@ -3585,6 +3829,10 @@
     <message>
         <source>Take seam apart</source>
         <translation>Deshacer costura</translation>
+    </message>
+    <message>
+        <source>Take the last change of a seam back (Ctrl+Z in the 3D view)</source>
+        <translation>Deshacer el último cambio de una costura (Ctrl+Z en la vista 3D)</translation>
     </message>
     <message>
         <source>Take the numbers of one of FreeCAD's material cards</source>
@@ -3643,6 +3891,10 @@
         <translation>Serían {0} páginas: elija papel más grande o un globo más pequeño.</translation>
     </message>
     <message>
+        <source>The 'at' of seam {0} of the list is no list of places. {1}</source>
+        <translation>El 'at' de la costura {0} de la lista no es una lista de lugares. {1}</translation>
+    </message>
+    <message>
         <source>The 'cut' of panel '{0}' is neither true nor false. Write one of them.</source>
         <translation>El 'cut' del panel «{0}» no es true ni false. Escriba uno de ellos.</translation>
     </message>
@@ -3661,6 +3913,10 @@
     <message>
         <source>The 'opening' of the JSON file has no panel and point. {0}</source>
         <translation>La 'opening' del archivo JSON no tiene panel ni punto. {0}</translation>
+    </message>
+    <message>
+        <source>The 'panels' of seam {0} of the list are no names. {1}</source>
+        <translation>Los 'panels' de la costura {0} de la lista no son nombres. {1}</translation>
     </message>
     <message>
         <source>The 'parts' of the JSON file are not a list of shapes. {0}</source>
@@ -3755,8 +4011,8 @@
         <translation>Falta el paquete de Python {0}. {1} Para obtenerlo: pip install {2}</translation>
     </message>
     <message>
-        <source>The STL file is damaged: it ends too early. Save it once more.</source>
-        <translation>El archivo STL está dañado: acaba demasiado pronto. Guárdelo de nuevo.</translation>
+        <source>The STL file is damaged, as it ends too early, or no STL file at all. Save it once more.</source>
+        <translation>El archivo STL está dañado, porque acaba demasiado pronto, o no es un archivo STL. Guárdelo de nuevo.</translation>
     </message>
     <message>
         <source>The STL file is damaged: it has no triangles, or half of one. Save it once more.</source>
@@ -3789,6 +4045,14 @@
     <message>
         <source>The Young's modulus across the grain {0} is too large for one along it of {1}: turn the grain by 90 degrees and exchange the two.</source>
         <translation>El módulo de Young transversal {0} es demasiado grande para el longitudinal de {1}: gire la fibra 90 grados e intercambie los dos.</translation>
+    </message>
+    <message>
+        <source>The accuracy decides the number of panels: give one of them.</source>
+        <translation>La precisión decide el número de paneles: indique solo una de las dos cosas.</translation>
+    </message>
+    <message>
+        <source>The accuracy must be above 0 and below 1: 0.003 is within 0.3 % of the diagonal.</source>
+        <translation>La precisión debe estar por encima de 0 y por debajo de 1: 0.003 es dentro del 0.3 % de la diagonal.</translation>
     </message>
     <message>
         <source>The accuracy must be above 0 and below 1: 0.01 is within 1 % of the profile.</source>
@@ -3849,6 +4113,18 @@
     <message>
         <source>The body '{0}' has no '{1}'. It has {2}.</source>
         <translation>El cuerpo «{0}» no tiene '{1}'. Tiene {2}.</translation>
+    </message>
+    <message>
+        <source>The body has no plane of symmetry.</source>
+        <translation>El cuerpo no tiene ningún plano de simetría.</translation>
+    </message>
+    <message>
+        <source>The body has no seam. Draw seams, or take 2 panels or more.{0}</source>
+        <translation>El cuerpo no tiene costuras. Dibuje costuras, o tome 2 paneles o más.{0}</translation>
+    </message>
+    <message>
+        <source>The body has nothing near {0}. Give a place on its surface.</source>
+        <translation>El cuerpo no tiene nada cerca de {0}. Indique un lugar de su superficie.</translation>
     </message>
     <message>
         <source>The body is thinner than {0} over {1} of its surface: film bulges there. Make such parts of two panels of their own, or thicker.</source>
@@ -3955,6 +4231,10 @@
         <translation>Los bordes de la costura elegida vuelven a estar libres</translation>
     </message>
     <message>
+        <source>The end of a seam cannot be moved alone. Take hold of the seam between its ends.</source>
+        <translation>El extremo de una costura no se puede mover solo. Tome la costura entre sus extremos.</translation>
+    </message>
+    <message>
         <source>The faces of {0} cannot be told from each other in a mesh. Repair the solid, or give a mesh of it.</source>
         <translation>Las caras de {0} no se pueden distinguir entre sí en una malla. Repare el sólido, o dé una malla de él.</translation>
     </message>
@@ -3995,6 +4275,10 @@
         <translation>La película «{0}» no tiene masa. Indique su densidad superficial.</translation>
     </message>
     <message>
+        <source>The film comes as near as {0} to the body, and a margin of {1} was asked for. Take more panels, or a larger margin.</source>
+        <translation>La película se acerca hasta {0} al cuerpo y se pidió un margen de {1}. Tome más paneles o un margen mayor.</translation>
+    </message>
+    <message>
         <source>The film file {0} calls itself "{1}": give both the same name.</source>
         <translation>El archivo de película {0} se llama a sí mismo «{1}»: dé a ambos el mismo nombre.</translation>
     </message>
@@ -4009,6 +4293,10 @@
     <message>
         <source>The film folds up and nothing of it is seen from above: make the shape thicker.</source>
         <translation>La película se pliega y desde arriba no se ve nada de ella: haga la forma más gruesa.</translation>
+    </message>
+    <message>
+        <source>The film lies from {0} to {1} outside of the body</source>
+        <translation>La película queda de {0} a {1} por fuera del cuerpo</translation>
     </message>
     <message>
         <source>The film needs a width of more than two spacings, and no spacing below 0.</source>
@@ -4153,6 +4441,14 @@
     <message>
         <source>The layout was stopped; nothing was changed.</source>
         <translation>La colocación se detuvo; nada cambió.</translation>
+    </message>
+    <message>
+        <source>The line at {0} divides no panel.</source>
+        <translation>La línea en {0} no divide ningún panel.</translation>
+    </message>
+    <message>
+        <source>The line at {0} misses the body.</source>
+        <translation>La línea en {0} no toca el cuerpo.</translation>
     </message>
     <message>
         <source>The lines of the drawing do not close around anything: the outline follows the lines.</source>
@@ -4379,6 +4675,18 @@
         <translation>Las piezas de la boca «{0}» son de {1}, que no se suelda con {2}: elija otra boca o una película con la que se suelde: {3}.</translation>
     </message>
     <message>
+        <source>The place {0} is not on panels {1}, between which the seam lies.</source>
+        <translation>El lugar {0} no está en los paneles {1}, entre los que va la costura.</translation>
+    </message>
+    <message>
+        <source>The plane through {0} divides no panel.</source>
+        <translation>El plano por {0} no divide ningún panel.</translation>
+    </message>
+    <message>
+        <source>The plane through {0} does not meet the body.</source>
+        <translation>El plano por {0} no toca el cuerpo.</translation>
+    </message>
+    <message>
         <source>The pressure at the lower end must be 0 or more.</source>
         <translation>La presión en el extremo inferior debe ser 0 o más.</translation>
     </message>
@@ -4445,6 +4753,18 @@
     <message>
         <source>The seal width must be between 0.01 mm and 1 m, the allowance between 0 and 1 m.</source>
         <translation>La anchura de soldadura debe estar entre 0,01 mm y 1 m, el margen entre 0 y 1 m.</translation>
+    </message>
+    <message>
+        <source>The seam near {0} divides no panel.</source>
+        <translation>La costura cerca de {0} no divide ningún panel.</translation>
+    </message>
+    <message>
+        <source>The seam near {0} is one of {1}, not of {2}.</source>
+        <translation>La costura cerca de {0} es de {1}, no de {2}.</translation>
+    </message>
+    <message>
+        <source>The seam near {0} would divide panels {1}, not {2}.</source>
+        <translation>La costura cerca de {0} dividiría los paneles {1}, no {2}.</translation>
     </message>
     <message>
         <source>The seams of {0} gores stand out by up to {1} over their middles. More gores make the body rounder.</source>
@@ -4539,12 +4859,24 @@
         <translation>El solucionador «{0}» necesita el paquete de Python scipy. Instálelo o use el nativo.</translation>
     </message>
     <message>
+        <source>The speed of welding must be above 0, and the time for each seam not below it.</source>
+        <translation>La velocidad de soldadura debe ser mayor que 0, y el tiempo por costura no menor que 0.</translation>
+    </message>
+    <message>
         <source>The strips of valves are not here: lay them out on a sheet of their own, with "Valve film".</source>
         <translation>Las tiras de las válvulas no están aquí: colóquelas en una lámina aparte, con «Película de válvula».</translation>
     </message>
     <message>
         <source>The summary cannot be shown ({0}); {1}.</source>
         <translation>El resumen no se puede mostrar ({0}); {1}.</translation>
+    </message>
+    <message>
+        <source>The surface cannot be laid flat: some of its triangles have no area, or a panel hangs together in a point only. Repair the body, or take another number of panels.</source>
+        <translation>La superficie no se puede aplanar: algunos de sus triángulos no tienen área, o un panel solo se une en un punto. Repare el cuerpo o tome otro número de paneles.</translation>
+    </message>
+    <message>
+        <source>The surface crosses itself, at ({0}) of the mesh. Film cannot follow it there. Triangles that cross others: {1}.</source>
+        <translation>La superficie se cruza consigo misma, en ({0}) de la malla. La película no puede seguirla ahí. Triángulos que cruzan otros: {1}.</translation>
     </message>
     <message>
         <source>The surface of the mesh has no outside, as a Moebius strip. Give the mesh of a solid.</source>
@@ -4645,6 +4977,10 @@
     <message>
         <source>There are no panels: choose sketches or flat faces.</source>
         <translation>No hay paneles: elija croquis o caras planas.</translation>
+    </message>
+    <message>
+        <source>There are seams in the planes of symmetry already.</source>
+        <translation>Ya hay costuras en los planos de simetría.</translation>
     </message>
     <message>
         <source>There can be 0 to {0} notches, not {1}, with a depth above 0.</source>
@@ -4749,6 +5085,14 @@
     <message>
         <source>There is no room for a flange of {0} there: choose another place or a smaller one.</source>
         <translation>No hay sitio para una brida de {0} ahí: elija otro lugar o una más pequeña.</translation>
+    </message>
+    <message>
+        <source>There is no seam between panels {0}.</source>
+        <translation>No hay ninguna costura entre los paneles {0}.</translation>
+    </message>
+    <message>
+        <source>There is no seam near {0}.</source>
+        <translation>No hay ninguna costura cerca de {0}.</translation>
     </message>
     <message>
         <source>There is no seam {0} for the opening: the seams are 1 to {1}.</source>
@@ -4887,6 +5231,10 @@
         <translation>Triángulos de la malla que estaban sobre otros y se omitieron: {0}.</translation>
     </message>
     <message>
+        <source>Triangles of the mesh that stood on its surface, or were walls inside it, were left out: {0}.</source>
+        <translation>Triángulos de la malla que sobresalían de su superficie, o eran paredes en su interior, y se omitieron: {0}.</translation>
+    </message>
+    <message>
         <source>Triangles of the mesh that were the wrong way round were turned: {0}.</source>
         <translation>Triángulos de la malla que estaban al revés y se giraron: {0}.</translation>
     </message>
@@ -4895,12 +5243,20 @@
         <translation>Triángulos de la malla cuyos puntos no son números y se omitieron: {0}.</translation>
     </message>
     <message>
+        <source>Triangles that crossed others were cut out, and closed: {0}.</source>
+        <translation>Triángulos que cruzaban otros; se recortaron y se cerró el hueco: {0}.</translation>
+    </message>
+    <message>
         <source>Try temperature and time on two scraps: the weld must stretch or tear before it opens.</source>
         <translation>Pruebe temperatura y tiempo en dos retales: la soldadura debe estirarse o rasgarse antes de abrirse.</translation>
     </message>
     <message>
         <source>Turns</source>
         <translation>Se vuelve</translation>
+    </message>
+    <message>
+        <source>Twelve panels that follow a solid: change its sizes in the spreadsheet</source>
+        <translation>Doce paneles que siguen un sólido: cambie sus medidas en la hoja de cálculo</translation>
     </message>
     <message>
         <source>Two circles: change their diameters in the sketch</source>
@@ -4933,6 +5289,10 @@
     <message>
         <source>Type = for an expression</source>
         <translation>Escriba = para una expresión</translation>
+    </message>
+    <message>
+        <source>Type two places for a cut, such as 10 0 50; 10 20 50, or choose a seam and type one.</source>
+        <translation>Escriba dos lugares para un corte, como 10 0 50; 10 20 50, o elija una costura y escriba uno.</translation>
     </message>
     <message>
         <source>Undo (Ctrl+Z)</source>
@@ -4969,6 +5329,10 @@
     <message>
         <source>Volume</source>
         <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Volume of the body: {0}, the balloon has {1} of it</source>
+        <translation>Volumen del cuerpo: {0}; el globo tiene {1} de él</translation>
     </message>
     <message>
         <source>Warm air</source>
@@ -5037,6 +5401,14 @@
     <message>
         <source>Welded across, last</source>
         <translation>Soldada a través, al final</translation>
+    </message>
+    <message>
+        <source>Welding</source>
+        <translation>Soldadura</translation>
+    </message>
+    <message>
+        <source>Welding: {0}</source>
+        <translation>Soldadura: {0}</translation>
     </message>
     <message>
         <source>Welds easily with an impulse sealer or an iron. Yields at about 9 MPa, half its tensile strength, and creeps: keep the pressure low.</source>
@@ -5119,8 +5491,28 @@
         <translation>Con los tipos de letra de este ordenador no se puede dibujar {0}, letra a letra de izquierda a derecha: quítelo de la etiqueta o instale un tipo de letra que lo tenga y vuelva a empezar.</translation>
     </message>
     <message>
+        <source>With {0} panels some would cross themselves when laid flat: the body has {1}.</source>
+        <translation>Con {0} paneles, algunos se cruzarían consigo mismos al aplanarlos: el cuerpo tiene {1}.</translation>
+    </message>
+    <message>
+        <source>With {0} to {1} panels some would cross themselves when laid flat: give more panels.</source>
+        <translation>Con {0} a {1} paneles, algunos se cruzarían consigo mismos al aplanarlos: indique más paneles.</translation>
+    </message>
+    <message>
         <source>Within</source>
         <translation>Dentro de</translation>
+    </message>
+    <message>
+        <source>Without this seam panel {0} goes round the body and cannot be laid flat.</source>
+        <translation>Sin esta costura, el panel {0} rodea el cuerpo y no se puede aplanar.</translation>
+    </message>
+    <message>
+        <source>Work out how near balloons of 6 to 60 panels come to the body</source>
+        <translation>Calcular cuánto se acercan al cuerpo globos de 6 a 60 paneles</translation>
+    </message>
+    <message>
+        <source>Wrinkles</source>
+        <translation>Arrugas</translation>
     </message>
     <message>
         <source>Write all results for ParaView (.vtu) or NumPy (.npz), or the shape alone (.stl)</source>
@@ -5141,6 +5533,10 @@
     <message>
         <source>Write {"a": ["top", 0, 1], "b": ["side", 3, 2]}.</source>
         <translation>Escriba {"a": ["top", 0, 1], "b": ["side", 3, 2]}.</translation>
+    </message>
+    <message>
+        <source>Write {"do": "cut", "at": [[0, 0, 50], [100, 0, 20]]}.</source>
+        <translation>Escriba {"do": "cut", "at": [[0, 0, 50], [100, 0, 20]]}.</translation>
     </message>
     <message>
         <source>Write {"name": "top", "outer": [[0, 0], [300, 0], [150, 200]]}.</source>
@@ -5195,6 +5591,10 @@
         <translation>un cuerpo consta de sí mismo, o de uno que no existe</translation>
     </message>
     <message>
+        <source>a body hangs together</source>
+        <translation>un cuerpo es de una sola pieza</translation>
+    </message>
+    <message>
         <source>a coordinate is not a number</source>
         <translation>una coordenada no es un número</translation>
     </message>
@@ -5205,6 +5605,10 @@
     <message>
         <source>a point is no three numbers.</source>
         <translation>un punto no son tres números.</translation>
+    </message>
+    <message>
+        <source>a sleeve has an end</source>
+        <translation>una manga tiene un extremo</translation>
     </message>
     <message>
         <source>a transform is not a number</source>
@@ -5235,6 +5639,10 @@
         <translation>otra ejecución lleva un minuto escribiendo ahí</translation>
     </message>
     <message>
+        <source>any accuracy</source>
+        <translation>cualquier precisión</translation>
+    </message>
+    <message>
         <source>apart {} in the mean, 95 % below {}, at most {}</source>
         <translation>distancia media {}, 95 % por debajo de {}, como mucho {}</translation>
     </message>
@@ -5245,6 +5653,10 @@
     <message>
         <source>artwork.pdf was left out. {0}</source>
         <translation>Se omitió artwork.pdf. {0}</translation>
+    </message>
+    <message>
+        <source>at most </source>
+        <translation>como mucho </translation>
     </message>
     <message>
         <source>at most {} ({})</source>
@@ -5265,6 +5677,10 @@
     <message>
         <source>bed_mm is {0}: give [width, height], or null where there is no limit.</source>
         <translation>bed_mm es {0}: indique [anchura, altura], o null donde no haya límite.</translation>
+    </message>
+    <message>
+        <source>both lie on borders of one piece</source>
+        <translation>ambos están en bordes de una misma pieza</translation>
     </message>
     <message>
         <source>choose Drawn as filled shape</source>
@@ -5323,6 +5739,10 @@
         <translation>descargando</translation>
     </message>
     <message>
+        <source>few panels</source>
+        <translation>pocos paneles</translation>
+    </message>
+    <message>
         <source>film</source>
         <translation>película</translation>
     </message>
@@ -5363,6 +5783,10 @@
         <translation>helio</translation>
     </message>
     <message>
+        <source>hide {} of the film's width</source>
+        <translation>ocultan {} del ancho de la película</translation>
+    </message>
+    <message>
         <source>hint</source>
         <translation>sugerencia</translation>
     </message>
@@ -5397,6 +5821,10 @@
     <message>
         <source>in the mean {} ({})</source>
         <translation>de media {} ({})</translation>
+    </message>
+    <message>
+        <source>in the mean {}, 95 % below {}, at most {}</source>
+        <translation>de media {}, 95 % por debajo de {}, como mucho {}</translation>
     </message>
     <message>
         <source>in {}</source>
@@ -5499,6 +5927,10 @@
         <translation>inferior</translation>
     </message>
     <message>
+        <source>making the document</source>
+        <translation>crear el documento</translation>
+    </message>
+    <message>
         <source>mass</source>
         <translation>masa</translation>
     </message>
@@ -5567,6 +5999,10 @@
         <translation>imprimiendo</translation>
     </message>
     <message>
+        <source>reading the solid</source>
+        <translation>leer el sólido</translation>
+    </message>
+    <message>
         <source>right</source>
         <translation>derecho</translation>
     </message>
@@ -5605,6 +6041,10 @@
     <message>
         <source>stopped; {0}.</source>
         <translation>detenido; {0}.</translation>
+    </message>
+    <message>
+        <source>strain {}</source>
+        <translation>deformación: {}</translation>
     </message>
     <message>
         <source>strength</source>
@@ -5707,6 +6147,10 @@
         <translation>prueba {0}, {1}</translation>
     </message>
     <message>
+        <source>true to shape</source>
+        <translation>fiel a la forma</translation>
+    </message>
+    <message>
         <source>unknown: this film has no strength</source>
         <translation>desconocida: esta película no tiene resistencia</translation>
     </message>
@@ -5799,6 +6243,10 @@
         <translation>{0} puntos por pulgada no se imprimen bien: indique de {1} a {2}.</translation>
     </message>
     <message>
+        <source>{0} follows itself: choose something that is not made of it.</source>
+        <translation>{0} se sigue a sí mismo: elija algo que no esté hecho de él.</translation>
+    </message>
+    <message>
         <source>{0} gap between the lines closed, the widest {1} of the drawing's width.</source>
         <translation>{0} hueco cerrado entre las líneas, el mayor del {1} de la anchura del dibujo.</translation>
     </message>
@@ -5809,6 +6257,10 @@
     <message>
         <source>{0} has a point that is no number or farther away than {1}. Check its coordinates and the unit.</source>
         <translation>{0} tiene un punto que no es un número o está más lejos que {1}. Revise sus coordenadas y la unidad.</translation>
+    </message>
+    <message>
+        <source>{0} has an error: repair it.</source>
+        <translation>{0} tiene un error: repárelo.</translation>
     </message>
     <message>
         <source>{0} has fewer than three points. Give all of its corners.</source>
@@ -5887,8 +6339,8 @@
         <translation>{0} es un borde de un agujero: elija como abertura uno de un contorno exterior.</translation>
     </message>
     <message>
-        <source>{0} is curved both ways, so that its film folds. Give a number of panels, into which the body is divided.</source>
-        <translation>{0} está curvado en dos sentidos, así que su película se pliega. Indique un número de paneles en que se divida el cuerpo.</translation>
+        <source>{0} is curved both ways: it is cut into {1} strips.</source>
+        <translation>{0} está curvada en dos sentidos: se corta en {1} tiras.</translation>
     </message>
     <message>
         <source>{0} is damaged or incomplete ({1}). Install the workbench anew.</source>
@@ -5907,6 +6359,10 @@
         <translation>{0} está vacío: dibuje en él una línea cerrada.</translation>
     </message>
     <message>
+        <source>{0} is empty: draw a line in it.</source>
+        <translation>{0} está vacío: dibuje una línea en él.</translation>
+    </message>
+    <message>
         <source>{0} is empty: draw half an outline in it, beside the vertical axis.</source>
         <translation>{0} está vacío: dibuje en él medio contorno, junto al eje vertical.</translation>
     </message>
@@ -5923,8 +6379,16 @@
         <translation>{0} no está en ninguna costura: únalo a otro borde.</translation>
     </message>
     <message>
+        <source>{0} is in the document {1}: copy it into {2} first.</source>
+        <translation>{0} está en el documento {1}: cópielo primero en {2}.</translation>
+    </message>
+    <message>
         <source>{0} is in two seams: take one of them away.</source>
         <translation>{0} está en dos costuras: quite una de ellas.</translation>
+    </message>
+    <message>
+        <source>{0} is left out. {1}</source>
+        <translation>Se omite {0}. {1}</translation>
     </message>
     <message>
         <source>{0} is neither DXF nor SVG: let the name end in .dxf or .svg.</source>
@@ -5933,6 +6397,10 @@
     <message>
         <source>{0} is neither VTU, NPZ nor STL: let the name end in .vtu, .npz or .stl.</source>
         <translation>{0} no es VTU, NPZ ni STL: haga que el nombre acabe en .vtu, .npz o .stl.</translation>
+    </message>
+    <message>
+        <source>{0} is no body: give a solid, a mesh or the path of a file.</source>
+        <translation>{0} no es un cuerpo: dé un sólido, una malla o la ruta de un archivo.</translation>
     </message>
     <message>
         <source>{0} is not a coordinate</source>
@@ -5977,6 +6445,10 @@
     <message>
         <source>{0} is {1} long, {2} {3}: make them equally long.</source>
         <translation>{0} mide {1}, {2} {3}: hágalos igual de largos.</translation>
+    </message>
+    <message>
+        <source>{0} is {1} long. Scale it, so that it is between {2} and {3}.</source>
+        <translation>{0} mide {1} de largo. Escálelo para que esté entre {2} y {3}.</translation>
     </message>
     <message>
         <source>{0} is {1}. Seal each edge once: side a goes along its loop from its first point to its second, b against it.</source>
@@ -6131,6 +6603,10 @@
         <translation>{0}{1} no tiene longitud. Quite uno de sus puntos.</translation>
     </message>
     <message>
+        <source>{} ({})</source>
+        <translation>{} ({})</translation>
+    </message>
+    <message>
         <source>{} MB from {}; the file is checked before it is used, and nothing is sent.</source>
         <translation>{} MB de {}; el archivo se comprueba antes de usarlo y no se envía nada.</translation>
     </message>
@@ -6145,6 +6621,14 @@
     <message>
         <source>{} gores, as many as {} of the profile's diagonal need</source>
         <translation>{} gajos, tantos como necesita {} de la diagonal del perfil</translation>
+    </message>
+    <message>
+        <source>{} in the mean, at most {}</source>
+        <translation>{} de media, como mucho {}</translation>
+    </message>
+    <message>
+        <source>{} inside</source>
+        <translation>{} por dentro</translation>
     </message>
     <message>
         <source>{} is in the tree</source>
@@ -6175,8 +6659,24 @@
         <translation>{} de {}</translation>
     </message>
     <message>
+        <source>{} outside</source>
+        <translation>{} por fuera</translation>
+    </message>
+    <message>
         <source>{} panels, {} of seams, {} inside</source>
         <translation>{} paneles, {} de costuras, {} dentro</translation>
+    </message>
+    <message>
+        <source>{} panels, {} seams of {}</source>
+        <translation>{} paneles, {} costuras, {} en total</translation>
+    </message>
+    <message>
+        <source>{} panels: about {} off, {} of seams, {} h of welding</source>
+        <translation>{} paneles: desvío de unos {}, {} de costuras, {} h de soldadura</translation>
+    </message>
+    <message>
+        <source>{} to {}</source>
+        <translation>de {} a {}</translation>
     </message>
     <message>
         <source>{} x {}, {} thick, {}</source>

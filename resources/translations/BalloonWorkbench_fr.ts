@@ -64,6 +64,10 @@
         <translation>Sommets de la soudure du patron</translation>
     </message>
     <message>
+        <source>Corners of the triangles on the flat film; z is not 0 where a face does not unroll</source>
+        <translation>Sommets des triangles sur le film à plat ; z n'est pas 0 là où une face n'est pas développable</translation>
+    </message>
+    <message>
         <source>Corners of the welds inside</source>
         <translation>Sommets des soudures intérieures</translation>
     </message>
@@ -116,6 +120,10 @@
         <translation>Bords assemblés, comme Sketch.Edge1=Sketch001.Edge3 ; les bords communs à des faces n'ont pas besoin d'être nommés</translation>
     </message>
     <message>
+        <source>Edges that stand for pieces of curves</source>
+        <translation>Arêtes qui remplacent des morceaux de courbes</translation>
+    </message>
+    <message>
         <source>Film left between pieces, and at the edges</source>
         <translation>Film laissé entre les pièces et aux bords</translation>
     </message>
@@ -164,12 +172,12 @@
         <translation>Altitude au-dessus de la mer</translation>
     </message>
     <message>
-        <source>Height of a body from a file; 0 follows</source>
-        <translation>Hauteur d'un corps venant d'un fichier ; 0 en découle</translation>
+        <source>Height of a body from a file, along z; 0 follows</source>
+        <translation>Hauteur d'un corps venant d'un fichier, selon z ; 0 en découle</translation>
     </message>
     <message>
-        <source>Height of a mesh from a file, along z; 0 follows</source>
-        <translation>Hauteur d'un maillage venant d'un fichier, selon z ; 0 en découle</translation>
+        <source>Height of a body from a file; 0 follows</source>
+        <translation>Hauteur d'un corps venant d'un fichier ; 0 en découle</translation>
     </message>
     <message>
         <source>Height of all that is cut</source>
@@ -212,8 +220,8 @@
         <translation>À quelle distance le long de cette couture, de 0 à 1 de sa longueur ; 0 prend son milieu, ou celui du bord</translation>
     </message>
     <message>
-        <source>How far the balloon may be from its profile, in parts of the profile's diagonal</source>
-        <translation>Écart permis entre le ballon et son profil, en parts de la diagonale du profil</translation>
+        <source>How far the balloon may be from its profile or body on average, in parts of the diagonal</source>
+        <translation>De combien le ballon peut s'écarter en moyenne de son profil ou de son corps, en part de la diagonale</translation>
     </message>
     <message>
         <source>How far the print goes past the cut</source>
@@ -260,6 +268,10 @@
         <translation>Comment l'extrémité basse est fermée</translation>
     </message>
     <message>
+        <source>How the seams were changed: panels merged, seams cut and moved, one JSON text each</source>
+        <translation>Comment les coutures ont été changées : panneaux fusionnés, coutures coupées et déplacées, un texte JSON chacune</translation>
+    </message>
+    <message>
         <source>How the upper end is closed</source>
         <translation>Comment l'extrémité haute est fermée</translation>
     </message>
@@ -272,8 +284,8 @@
         <translation>Largeur intérieure du col, ou alésage de la buse</translation>
     </message>
     <message>
-        <source>Into how many panels the body is divided; 0 takes the faces of a solid, 16 panels of a mesh</source>
-        <translation>En combien de panneaux le corps est divisé ; 0 prend les faces d'un solide, 16 panneaux pour un maillage</translation>
+        <source>Into how many panels the body is divided; 0 takes the faces of a solid, 16 panels of a mesh; 1 takes only the seams that are drawn</source>
+        <translation>En combien de panneaux le corps est divisé ; 0 prend les faces d'un solide, 16 panneaux pour un maillage ; 1 ne prend que les coutures dessinées</translation>
     </message>
     <message>
         <source>It carries itself</source>
@@ -568,8 +580,8 @@
         <translation>Résultat montré en couleurs, avec une légende</translation>
     </message>
     <message>
-        <source>STL, OBJ, PLY, 3MF or STEP file of a closed body; a copy travels in the document</source>
-        <translation>Fichier STL, OBJ, PLY, 3MF ou STEP d'un corps fermé ; une copie voyage dans le document</translation>
+        <source>STL, OBJ, PLY, 3MF, STEP, IGES or BREP file of a closed body; a copy travels in the document</source>
+        <translation>Fichier STL, OBJ, PLY, 3MF, STEP, IGES ou BREP d'un corps fermé ; une copie voyage dans le document</translation>
     </message>
     <message>
         <source>SVG, DXF or JSON file of half the outline; a copy travels in the document</source>
@@ -602,6 +614,14 @@
     <message>
         <source>Sketch, wire or face that the outline follows instead of a file</source>
         <translation>Esquisse, fil ou face que le contour suit au lieu d'un fichier</translation>
+    </message>
+    <message>
+        <source>Sketches are projected onto the side that is nearer to them only</source>
+        <translation>Les esquisses ne sont projetées que sur le côté le plus proche d'elles</translation>
+    </message>
+    <message>
+        <source>Sketches whose lines are seams: they are projected onto the body along the normal of their plane</source>
+        <translation>Esquisses dont les lignes sont des coutures : elles sont projetées sur le corps selon la normale de leur plan</translation>
     </message>
     <message>
         <source>Sketches, wires and flat faces that are the panels, each seen from outside</source>
@@ -706,6 +726,10 @@
     <message>
         <source>Thickness of the inflated balloon</source>
         <translation>Épaisseur du ballon gonflé</translation>
+    </message>
+    <message>
+        <source>Three places on each of these, flat</source>
+        <translation>Trois endroits sur chacune d'elles, à plat</translation>
     </message>
     <message>
         <source>Three points of each triangle</source>
@@ -896,8 +920,8 @@
         <translation>Largeur à partir de laquelle il se porte ; 0 : jamais</translation>
     </message>
     <message>
-        <source>Width of a mesh from a file, along x; 0 follows from the height, or the file</source>
-        <translation>Largeur d'un maillage venant d'un fichier, selon x ; 0 découle de la hauteur, ou du fichier</translation>
+        <source>Width of a body from a file, along x; 0 follows from the height, or the file</source>
+        <translation>Largeur d'un corps venant d'un fichier, selon x ; 0 découle de la hauteur, ou du fichier</translation>
     </message>
     <message>
         <source>Width of a side band between front and back; 0 is two panels</source>
@@ -1051,8 +1075,8 @@
         <translation>« {0} » n'est ni SVG, ni DXF, ni JSON. Enregistrez le dessin dans un de ces formats.</translation>
     </message>
     <message>
-        <source>'{0}' is no closed body: leave out --panels, or give an STL, OBJ, PLY or 3MF.</source>
-        <translation>« {0} » n'est pas un corps fermé : retirez --panels, ou donnez un STL, OBJ, PLY ou 3MF.</translation>
+        <source>'{0}' is no closed body: leave out --panels, or give an STL, OBJ, PLY, 3MF or STEP.</source>
+        <translation>« {0} » n'est pas un corps fermé : retirez --panels, ou donnez un STL, OBJ, PLY, 3MF ou STEP.</translation>
     </message>
     <message>
         <source>'{0}' is no size: write 500mm for a width, 500mmx700mm for width and height.</source>
@@ -1077,6 +1101,10 @@
     <message>
         <source>'{0}' is not a {1}; write it like {2}.</source>
         <translation>« {0} » ne convient pas ({1}) ; écrivez par exemple {2}.</translation>
+    </message>
+    <message>
+        <source>'{0}' is read by FreeCAD, which is not there: install it for the Python that runs this, or give an STL of the solid.</source>
+        <translation>« {0} » est lu par FreeCAD, qui n'est pas là : installez-le pour le Python qui exécute ceci, ou donnez un STL du solide.</translation>
     </message>
     <message>
         <source>'{}' is not a picture. Save it as PNG, JPEG or BMP once more.</source>
@@ -1135,8 +1163,12 @@
         <translation>Un corps ne peut pas être fait de {0} fuseaux. Prenez-en de {1} à {2}.</translation>
     </message>
     <message>
-        <source>A body has 2 panels or more: say how many.</source>
-        <translation>Un corps a au moins 2 panneaux : dire combien.</translation>
+        <source>A body has 2 panels or more: these are the last ones.</source>
+        <translation>Un corps a au moins 2 panneaux : ce sont les derniers.</translation>
+    </message>
+    <message>
+        <source>A body is divided into 2 to {0} panels: say how many.</source>
+        <translation>Un corps se divise en 2 à {0} panneaux : dites combien.</translation>
     </message>
     <message>
         <source>A body of gores has no side band: leave out what you give of the one or of the other.</source>
@@ -1149,6 +1181,10 @@
     <message>
         <source>A corner relief of {0} would cut into the weld: choose a smaller radius or a wider allowance.</source>
         <translation>Un dégagement d'angle de {0} entamerait la soudure : choisissez un rayon plus petit ou une marge plus large.</translation>
+    </message>
+    <message>
+        <source>A cow from a mesh, by Keenan Crane: change the number of panels</source>
+        <translation>Une vache d'après un maillage, de Keenan Crane : changez le nombre de panneaux</translation>
     </message>
     <message>
         <source>A drawing with welds inside is not made symmetric: draw it so, and turn this off.</source>
@@ -1185,6 +1221,14 @@
     <message>
         <source>A lift of {0} is out of reach: {1} large, this balloon would lack {2}. Choose a lighter film or gas, a smaller lift, or a rounder shape.</source>
         <translation>Une portance de {0} est hors d'atteinte : grand de {1}, il manquerait {2} à ce ballon. Choisissez un film ou un gaz plus léger, moins de portance ou une forme plus ronde.</translation>
+    </message>
+    <message>
+        <source>A line that is projected needs a direction. Give one.</source>
+        <translation>Une ligne projetée demande une direction. Donnez-en une.</translation>
+    </message>
+    <message>
+        <source>A line that is projected needs two points or more. Draw them.</source>
+        <translation>Une ligne projetée demande au moins deux points. Dessinez-les.</translation>
     </message>
     <message>
         <source>A mesh of {0} is too coarse for a shape of {1}: use at most {2}.</source>
@@ -1231,8 +1275,28 @@
         <translation>Une boîte coussin ne peut pas être plus profonde que large. Choisissez une profondeur plus petite.</translation>
     </message>
     <message>
+        <source>A plane needs its normal. Give one.</source>
+        <translation>Un plan demande sa normale. Donnez-en une.</translation>
+    </message>
+    <message>
+        <source>A seam cannot be moved so far: it would meet another one.</source>
+        <translation>Une couture ne peut pas être déplacée si loin : elle en rencontrerait une autre.</translation>
+    </message>
+    <message>
+        <source>A seam cannot be moved so far: one of its panels would be lost.</source>
+        <translation>Une couture ne peut pas être déplacée si loin : l'un de ses panneaux disparaîtrait.</translation>
+    </message>
+    <message>
         <source>A seam closes an edge of a triangle to a point. Check which runs it joins.</source>
         <translation>Une soudure ferme l'arête d'un triangle en un point. Vérifiez quels bords elle joint.</translation>
+    </message>
+    <message>
+        <source>A seam near {0} has one place only. Draw it through two.</source>
+        <translation>Une couture près de {0} n'a qu'un endroit. Dessinez-la par deux.</translation>
+    </message>
+    <message>
+        <source>A seam near {0} would pass the same place twice. Draw it in two parts.</source>
+        <translation>Une couture près de {0} passerait deux fois au même endroit. Dessinez-la en deux parties.</translation>
     </message>
     <message>
         <source>A sketch with dimensions: change a cell of the spreadsheet, and all follows</source>
@@ -1335,6 +1399,10 @@
         <translation>Le long de la couture</translation>
     </message>
     <message>
+        <source>Also on the other side</source>
+        <translation>De l'autre côté aussi</translation>
+    </message>
+    <message>
         <source>Aluminised BOPP foil, 30 µm</source>
         <translation>Film BOPP aluminisé, 30 µm</translation>
     </message>
@@ -1345,6 +1413,10 @@
     <message>
         <source>Aluminised nylon/PE foil (party balloon), 30 µm</source>
         <translation>Film nylon/PE aluminisé (ballon de fête), 30 µm</translation>
+    </message>
+    <message>
+        <source>An accuracy is for a balloon that follows its body: give the number of panels of one that encloses or lines it.</source>
+        <translation>Une précision vaut pour un ballon qui suit son corps : pour celui qui l'entoure ou le double à l'intérieur, donnez le nombre de panneaux.</translation>
     </message>
     <message>
         <source>An animation needs at least two frames, not {0}.</source>
@@ -1393,6 +1465,10 @@
     <message>
         <source>Assembly sheet written to {}</source>
         <translation>Fiche de montage écrite dans {}</translation>
+    </message>
+    <message>
+        <source>At worst the film lies {0} on the wrong side of the body, and a margin of {1} was asked for. Take more panels, or a larger margin.</source>
+        <translation>Au pire, le film se trouve à {0} du mauvais côté du corps, alors qu'une marge de {1} est demandée. Prendre plus de panneaux ou une marge plus grande.</translation>
     </message>
     <message>
         <source>At {0} dots per inch the sheet would have {1} x {2} pixels: give a lower resolution.</source>
@@ -1491,6 +1567,14 @@
         <translation>Les deux côtés d'une couture doivent être de même longueur</translation>
     </message>
     <message>
+        <source>Bottle</source>
+        <translation>Bouteille</translation>
+    </message>
+    <message>
+        <source>Bring the 3D view of the document to the front first.</source>
+        <translation>Mettez d'abord la vue 3D du document au premier plan.</translation>
+    </message>
+    <message>
         <source>Brush</source>
         <translation>Pinceau</translation>
     </message>
@@ -1579,6 +1663,26 @@
         <translation>Choisissez les patrons à disposer.</translation>
     </message>
     <message>
+        <source>Click a seam: its panels become one. Esc: done.</source>
+        <translation>Cliquez sur une couture : ses panneaux n'en font plus qu'un. Échap : terminé.</translation>
+    </message>
+    <message>
+        <source>Click a seam: the panels beside it become one</source>
+        <translation>Cliquez sur une couture : les panneaux de part et d'autre n'en font plus qu'un</translation>
+    </message>
+    <message>
+        <source>Click two places: a seam runs between them</source>
+        <translation>Cliquez sur deux endroits : une couture va de l'un à l'autre</translation>
+    </message>
+    <message>
+        <source>Click where the new seam begins. Esc: done.</source>
+        <translation>Cliquez là où commence la nouvelle couture. Échap : terminé.</translation>
+    </message>
+    <message>
+        <source>Click where the seam ends. Esc: another start.</source>
+        <translation>Cliquez là où finit la couture. Échap : autre départ.</translation>
+    </message>
+    <message>
         <source>Close the open task panel first.</source>
         <translation>Fermez d'abord le panneau de tâches ouvert.</translation>
     </message>
@@ -1609,6 +1713,10 @@
     <message>
         <source>Custom</source>
         <translation>Personnalisé</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Couper</translation>
     </message>
     <message>
         <source>Cut all panels from {film}, as they are drawn: so they are seen from outside, with the sealing side below.</source>
@@ -1671,8 +1779,8 @@
         <translation>Distance</translation>
     </message>
     <message>
-        <source>Distance from profile or drawing</source>
-        <translation>Écart au profil ou au dessin</translation>
+        <source>Distance from profile, drawing or body</source>
+        <translation>Écart au profil, au dessin ou au corps</translation>
     </message>
     <message>
         <source>Dividing a body needs scipy: install it with pip install scipy.</source>
@@ -1681,6 +1789,14 @@
     <message>
         <source>Dots per inch</source>
         <translation>Points par pouce</translation>
+    </message>
+    <message>
+        <source>Drag a seam to where it shall run. Esc: done.</source>
+        <translation>Tirez une couture là où elle doit passer. Échap : terminé.</translation>
+    </message>
+    <message>
+        <source>Drag a seam: it runs through the place</source>
+        <translation>Tirez une couture : elle passe par l'endroit</translation>
     </message>
     <message>
         <source>Drag in the view</source>
@@ -1707,6 +1823,10 @@
         <translation>Dessin sur la silhouette</translation>
     </message>
     <message>
+        <source>Drawing seams needs scipy: install it with pip install scipy.</source>
+        <translation>Dessiner des coutures demande scipy : installez-le par pip install scipy.</translation>
+    </message>
+    <message>
         <source>Drawing {0}</source>
         <translation>Dessin de {0}</translation>
     </message>
@@ -1727,8 +1847,8 @@
         <translation>Chaque couleur de trait devient une opération : coupez le rouge, le bleu et l'orange, faites ignorer toutes les autres. Le DXF n'est pas lu.</translation>
     </message>
     <message>
-        <source>Edges of the mesh at which more than two triangles meet: {0}. Repair it in the program that it comes from, so that it is the surface of a solid.</source>
-        <translation>Arêtes du maillage où se rejoignent plus de deux triangles : {0}. Réparez-le dans le programme d'où il vient, pour qu'il soit la surface d'un solide.</translation>
+        <source>Edges of the mesh at which more than two triangles meet: {0}, one of them at ({1}) of the mesh. Repair it in the program that it comes from, so that it is the surface of a solid.</source>
+        <translation>Arêtes du maillage où se rejoignent plus de deux triangles : {0}, dont une en ({1}) du maillage. Réparez-le dans le programme d'où il vient, pour qu'il soit la surface d'un solide.</translation>
     </message>
     <message>
         <source>Edit artwork</source>
@@ -1741,6 +1861,10 @@
     <message>
         <source>Edit film</source>
         <translation>Modifier la feuille de film</translation>
+    </message>
+    <message>
+        <source>Eight panels for a solid with fillets: change its section or their number</source>
+        <translation>Huit panneaux pour un solide à congés : changez sa section ou leur nombre</translation>
     </message>
     <message>
         <source>Elastic</source>
@@ -1779,6 +1903,10 @@
         <translation>Expression</translation>
     </message>
     <message>
+        <source>Face{0} of {1} is curved so much that it would take {2} strips of film. Give a number of panels, or leave such details out of the solid.</source>
+        <translation>Face{0} de {1} est si courbe qu'il y faudrait {2} bandes de film. Donnez un nombre de panneaux, ou retirez de tels détails du solide.</translation>
+    </message>
+    <message>
         <source>Farthest point</source>
         <translation>Point le plus éloigné</translation>
     </message>
@@ -1801,6 +1929,14 @@
     <message>
         <source>Fetching {0} ({1} MB) into {2}; only the file with SHA-256 {3} is kept.</source>
         <translation>Téléchargement de {0} ({1} MB) dans {2} ; seul le fichier de SHA-256 {3} est gardé.</translation>
+    </message>
+    <message>
+        <source>Few panels or true to shape</source>
+        <translation>Peu de panneaux ou forme fidèle</translation>
+    </message>
+    <message>
+        <source>Few panels or true to shape?</source>
+        <translation>Peu de panneaux ou forme fidèle ?</translation>
     </message>
     <message>
         <source>File</source>
@@ -1845,6 +1981,10 @@
     <message>
         <source>Filled shape</source>
         <translation>Forme pleine</translation>
+    </message>
+    <message>
+        <source>Filleted housing</source>
+        <translation>Boîtier à congés</translation>
     </message>
     <message>
         <source>Film</source>
@@ -1927,8 +2067,8 @@
         <translation>Les images sont régulières en mouvement, non en temps. Seul le film a une masse, le gaz n'en a pas.</translation>
     </message>
     <message>
-        <source>FreeCAD cannot make the document ({0}). {1}</source>
-        <translation>FreeCAD ne peut pas créer le document ({0}). {1}</translation>
+        <source>FreeCAD failed while {0} ({1}). {2}</source>
+        <translation>FreeCAD a échoué pendant {0} ({1}). {2}</translation>
     </message>
     <message>
         <source>FreeCAD has no material card "{0}": choose one of its material editor.</source>
@@ -1939,8 +2079,8 @@
         <translation>Il lui faut un dossier personnel et un dossier temporaire où il peut écrire, et de la mémoire.</translation>
     </message>
     <message>
-        <source>FreeCAD stopped before the document was done ({0}). {1}</source>
-        <translation>FreeCAD s'est arrêté ({0}). {1}</translation>
+        <source>FreeCAD stopped while {0} ({1}). {2}</source>
+        <translation>FreeCAD s'est arrêté pendant {0} ({1}). {2}</translation>
     </message>
     <message>
         <source>From the flat film to the balloon at rest</source>
@@ -1969,6 +2109,10 @@
     <message>
         <source>Give --artwork for the front too.</source>
         <translation>Donnez aussi --artwork pour le devant.</translation>
+    </message>
+    <message>
+        <source>Give a number of panels, into which the body is divided.</source>
+        <translation>Donnez un nombre de panneaux, en lesquels le corps est divisé.</translation>
     </message>
     <message>
         <source>Give either --material, or all of --young, --poisson and --thickness.</source>
@@ -2095,6 +2239,10 @@
         <translation>La distance de l'ouverture le long de sa couture doit être de 0 à 1.</translation>
     </message>
     <message>
+        <source>How far the balloon may be from the body on average, of the body's diagonal</source>
+        <translation>De combien le ballon peut s'écarter du corps en moyenne, en part de la diagonale du corps</translation>
+    </message>
+    <message>
         <source>How far the outline moves if the weld creases could not be simulated. {0}</source>
         <translation>Le déplacement du contour si la soudure se froisse n'a pas pu être simulé. {0}</translation>
     </message>
@@ -2183,8 +2331,24 @@
         <translation>Il n'est pas encore gonflé : choisissez « Gonfler maintenant » dans son menu contextuel, ou activez Direct.</translation>
     </message>
     <message>
+        <source>It is not repeated on the other side. {0}</source>
+        <translation>Cela n'est pas répété de l'autre côté. {0}</translation>
+    </message>
+    <message>
         <source>It is wider now. Ctrl+Z takes that back.</source>
         <translation>Il est plus large maintenant. Ctrl+Z annule.</translation>
+    </message>
+    <message>
+        <source>It lies</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>It needs more places: give them all.</source>
+        <translation>Il manque des endroits : donnez-les tous.</translation>
+    </message>
+    <message>
+        <source>It takes {0} h at {1} m/min and {2} min for each seam.</source>
+        <translation>Cela prend {0} h à {1} m/min et {2} min par couture.</translation>
     </message>
     <message>
         <source>Its pattern is gone: delete it.</source>
@@ -2225,6 +2389,10 @@
     <message>
         <source>Labels need matplotlib: install it with pip install matplotlib, or leave the label empty.</source>
         <translation>Les inscriptions demandent matplotlib : installez-le par pip install matplotlib, ou laissez l'inscription vide.</translation>
+    </message>
+    <message>
+        <source>Laid flat</source>
+        <translation>Mis à plat</translation>
     </message>
     <message>
         <source>Laid one piece after another: the package spyrrow (pip install spyrrow) often finds a closer layout.</source>
@@ -2363,6 +2531,10 @@
         <translation>Des bouts de lignes libres ont été joints au dessin.</translation>
     </message>
     <message>
+        <source>Loose film: {0}, wrinkled: {1}; wrinkles hide {2} of it</source>
+        <translation>Film détendu : {0}, plissé : {1} ; les plis en cachent {2}</translation>
+    </message>
+    <message>
         <source>Low</source>
         <translation>Bas</translation>
     </message>
@@ -2409,6 +2581,10 @@
     <message>
         <source>Membrane tension</source>
         <translation>Tension de membrane</translation>
+    </message>
+    <message>
+        <source>Merge</source>
+        <translation>Fusionner</translation>
     </message>
     <message>
         <source>Mesh reuse needs scipy: install it with pip install scipy.</source>
@@ -2523,6 +2699,10 @@
         <translation>Newmark</translation>
     </message>
     <message>
+        <source>No balloon came within {0} of the body's diagonal: tried were {1} panels. This is the nearest one, {2}. Ask for less, or divide the body yourself where the film stays far from it.</source>
+        <translation>Aucun ballon n'est resté à moins de {0} de la diagonale du corps : essayés, {1} panneaux. Voici le plus proche, {2}. Demandez moins, ou divisez vous-même le corps là où le film en reste loin.</translation>
+    </message>
+    <message>
         <source>No balloon can be inflated anew without it; patterns can be changed and written.</source>
         <translation>Sans lui, aucun ballon ne peut être gonflé de nouveau ; les patrons peuvent être modifiés et écrits.</translation>
     </message>
@@ -2539,6 +2719,10 @@
         <translation>Sans limite</translation>
     </message>
     <message>
+        <source>No number of panels up to {} comes so near. {} panels: about {} off</source>
+        <translation>Aucun nombre de panneaux jusqu'à {} n'approche autant. {} panneaux : écart d'environ {}</translation>
+    </message>
+    <message>
         <source>No panel has an edge "{0}": choose one of an outline or face of this bag.</source>
         <translation>Aucun panneau n'a de bord « {0} » : choisissez-en un d'un contour ou d'une face de ce sac.</translation>
     </message>
@@ -2553,6 +2737,10 @@
     <message>
         <source>No pattern here has pieces of "{0}": choose another film.</source>
         <translation>Aucun patron n'a ici de pièces en « {0} » : choisissez un autre film.</translation>
+    </message>
+    <message>
+        <source>No seam can be drawn near {0}.</source>
+        <translation>Aucune couture ne peut être dessinée près de {0}.</translation>
     </message>
     <message>
         <source>No shape stands out in the picture. Use stronger colours or a plainer background.</source>
@@ -2673,6 +2861,10 @@
     <message>
         <source>Offer the native solver where it is missing</source>
         <translation>Proposer le solveur natif là où il manque</translation>
+    </message>
+    <message>
+        <source>On a symmetric body a change is repeated where its mirror image lies</source>
+        <translation>Sur un corps symétrique, un changement est répété là où se trouve son image miroir</translation>
     </message>
     <message>
         <source>On the way of the valve the balloon narrows to {0} at {1}; its channel takes {2} with its welds there. Make the neck wider or put it elsewhere, else the weld closes the valve.</source>
@@ -2807,6 +2999,14 @@
         <translation>Le panneau « {0} » est toute la surface et n'a pas de bord : divisez le corps en plus de panneaux.</translation>
     </message>
     <message>
+        <source>Panel '{0}' would cross itself when laid flat. {1}</source>
+        <translation>Le panneau « {0} » se croiserait une fois mis à plat. {1}</translation>
+    </message>
+    <message>
+        <source>Panel {0} goes round a part of the body: it is cut open there.</source>
+        <translation>Le panneau {0} fait le tour d'une partie du corps : il y est ouvert par une coupe.</translation>
+    </message>
+    <message>
         <source>Panel {0} has a triangle with a vertex that is not there. Mesh it anew.</source>
         <translation>Le panneau {0} a un triangle avec un sommet qui n'existe pas. Maillez-le de nouveau.</translation>
     </message>
@@ -2847,6 +3047,10 @@
         <translation>Le panneau {0} penche de {1} entre l'avant et l'arrière. Rétrécissez la bande latérale à cet endroit, ou élargissez les parties du dessin.</translation>
     </message>
     <message>
+        <source>Panel {0} near {1} goes round the body and cannot be laid flat. Draw a seam across it.</source>
+        <translation>Le panneau {0} près de {1} fait le tour du corps et ne peut pas être mis à plat. Dessinez une couture en travers.</translation>
+    </message>
+    <message>
         <source>Panel {0} of the JSON file has no name or no 'outer' loop. {1}</source>
         <translation>Le panneau {0} du fichier JSON n'a pas de nom ou pas de boucle 'outer'. {1}</translation>
     </message>
@@ -2865,6 +3069,10 @@
     <message>
         <source>Panels are laid on the film in rows instead of closely; nothing else changes.</source>
         <translation>Les panneaux sont disposés en rangées au lieu d'être serrés ; rien d'autre ne change.</translation>
+    </message>
+    <message>
+        <source>Panels laid flat: strained by {0} on average, at most {1}</source>
+        <translation>Panneaux mis à plat : déformés de {0} en moyenne, {1} au plus</translation>
     </message>
     <message>
         <source>Panels with gussets, whose sizes come from a spreadsheet</source>
@@ -2989,6 +3197,10 @@
     <message>
         <source>Place on the seam</source>
         <translation>Place sur la couture</translation>
+    </message>
+    <message>
+        <source>Places on the body in mm: two for a cut, one for the chosen seam to be moved to</source>
+        <translation>Endroits sur le corps en mm : deux pour une coupe, un où déplacer la couture choisie</translation>
     </message>
     <message>
         <source>Plain PET does not weld to itself: take a grade with a sealing layer, or tape. The aluminium (some 50 nm) adds neither stiffness nor weight. What shops sell as Mylar balloons is mostly nylon-foil.</source>
@@ -3275,6 +3487,10 @@
         <translation>Couture</translation>
     </message>
     <message>
+        <source>Seam edit {0}</source>
+        <translation>Changement de couture {0}</translation>
+    </message>
+    <message>
         <source>Seam length</source>
         <translation>Longueur de couture</translation>
     </message>
@@ -3337,6 +3553,22 @@
     <message>
         <source>Seam {0} of the JSON file has no two sides 'a' and 'b'. {1}</source>
         <translation>La couture {0} du fichier JSON n'a pas deux côtés 'a' et 'b'. {1}</translation>
+    </message>
+    <message>
+        <source>Seam {0} of the list does none of {1}. {2}</source>
+        <translation>La couture {0} de la liste ne fait rien de {1}. {2}</translation>
+    </message>
+    <message>
+        <source>Seam {0} of the list has a place that is not [x, y, z]. {1}</source>
+        <translation>La couture {0} de la liste a un endroit qui n'est pas [x, y, z]. {1}</translation>
+    </message>
+    <message>
+        <source>Seam {0} of the list has an unknown '{1}'. Use {2}.</source>
+        <translation>La couture {0} de la liste a un « {1} » inconnu. Utilisez {2}.</translation>
+    </message>
+    <message>
+        <source>Seam {0} of the list: 'side' is '{1}' or '{2}', 'mirrored' is true or false.</source>
+        <translation>Couture {0} de la liste : 'side' est « {1} » ou « {2} », 'mirrored' est true ou false.</translation>
     </message>
     <message>
         <source>Seam {0}: {1} to {2}, last, with the opening.</source>
@@ -3519,6 +3751,10 @@
         <translation>Espacement</translation>
     </message>
     <message>
+        <source>Spot in 16 panels</source>
+        <translation>La vache Spot en 16 panneaux</translation>
+    </message>
+    <message>
         <source>Steps</source>
         <translation>Étapes</translation>
     </message>
@@ -3575,6 +3811,14 @@
         <translation>Fixées à un panneau</translation>
     </message>
     <message>
+        <source>Take a tool to change the seams, or choose one and press Delete to merge.</source>
+        <translation>Prenez un outil pour changer les coutures, ou choisissez-en une et appuyez sur Suppr pour fusionner.</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
         <source>Take everything off the paper</source>
         <translation>Tout enlever de la feuille</translation>
     </message>
@@ -3585,6 +3829,10 @@
     <message>
         <source>Take seam apart</source>
         <translation>Défaire la couture</translation>
+    </message>
+    <message>
+        <source>Take the last change of a seam back (Ctrl+Z in the 3D view)</source>
+        <translation>Annuler le dernier changement d'une couture (Ctrl+Z dans la vue 3D)</translation>
     </message>
     <message>
         <source>Take the numbers of one of FreeCAD's material cards</source>
@@ -3643,6 +3891,10 @@
         <translation>Cela ferait {0} pages : choisissez un papier plus grand ou un ballon plus petit.</translation>
     </message>
     <message>
+        <source>The 'at' of seam {0} of the list is no list of places. {1}</source>
+        <translation>Le 'at' de la couture {0} de la liste n'est pas une liste d'endroits. {1}</translation>
+    </message>
+    <message>
         <source>The 'cut' of panel '{0}' is neither true nor false. Write one of them.</source>
         <translation>Le 'cut' du panneau « {0} » n'est ni true ni false. Écrivez l'un des deux.</translation>
     </message>
@@ -3661,6 +3913,10 @@
     <message>
         <source>The 'opening' of the JSON file has no panel and point. {0}</source>
         <translation>L''opening' du fichier JSON n'a pas de panneau ni de point. {0}</translation>
+    </message>
+    <message>
+        <source>The 'panels' of seam {0} of the list are no names. {1}</source>
+        <translation>Les 'panels' de la couture {0} de la liste ne sont pas des noms. {1}</translation>
     </message>
     <message>
         <source>The 'parts' of the JSON file are not a list of shapes. {0}</source>
@@ -3755,8 +4011,8 @@
         <translation>Le paquet Python {0} manque. {1} Pour l'obtenir : pip install {2}</translation>
     </message>
     <message>
-        <source>The STL file is damaged: it ends too early. Save it once more.</source>
-        <translation>Le fichier STL est abîmé : il finit trop tôt. Enregistrez-le à nouveau.</translation>
+        <source>The STL file is damaged, as it ends too early, or no STL file at all. Save it once more.</source>
+        <translation>Le fichier STL est abîmé, car il finit trop tôt, ou n'est pas un fichier STL. Enregistrez-le à nouveau.</translation>
     </message>
     <message>
         <source>The STL file is damaged: it has no triangles, or half of one. Save it once more.</source>
@@ -3789,6 +4045,14 @@
     <message>
         <source>The Young's modulus across the grain {0} is too large for one along it of {1}: turn the grain by 90 degrees and exchange the two.</source>
         <translation>Le module d'Young en travers, {0}, est trop grand pour celui en long de {1} : tournez le sens du film de 90 degrés et échangez les deux.</translation>
+    </message>
+    <message>
+        <source>The accuracy decides the number of panels: give one of them.</source>
+        <translation>La précision décide du nombre de panneaux : donnez l'un des deux.</translation>
+    </message>
+    <message>
+        <source>The accuracy must be above 0 and below 1: 0.003 is within 0.3 % of the diagonal.</source>
+        <translation>La précision doit être au-dessus de 0 et au-dessous de 1 : 0.003, c'est à 0,3 % de la diagonale près.</translation>
     </message>
     <message>
         <source>The accuracy must be above 0 and below 1: 0.01 is within 1 % of the profile.</source>
@@ -3849,6 +4113,18 @@
     <message>
         <source>The body '{0}' has no '{1}'. It has {2}.</source>
         <translation>Le corps « {0} » n'a pas de '{1}'. Il a {2}.</translation>
+    </message>
+    <message>
+        <source>The body has no plane of symmetry.</source>
+        <translation>Le corps n'a pas de plan de symétrie.</translation>
+    </message>
+    <message>
+        <source>The body has no seam. Draw seams, or take 2 panels or more.{0}</source>
+        <translation>Le corps n'a pas de couture. Dessinez des coutures, ou prenez au moins 2 panneaux.{0}</translation>
+    </message>
+    <message>
+        <source>The body has nothing near {0}. Give a place on its surface.</source>
+        <translation>Le corps n'a rien près de {0}. Donnez un endroit sur sa surface.</translation>
     </message>
     <message>
         <source>The body is thinner than {0} over {1} of its surface: film bulges there. Make such parts of two panels of their own, or thicker.</source>
@@ -3955,6 +4231,10 @@
         <translation>Les bords de la couture choisie sont de nouveau libres</translation>
     </message>
     <message>
+        <source>The end of a seam cannot be moved alone. Take hold of the seam between its ends.</source>
+        <translation>Le bout d'une couture ne peut pas être déplacé seul. Saisissez la couture entre ses bouts.</translation>
+    </message>
+    <message>
         <source>The faces of {0} cannot be told from each other in a mesh. Repair the solid, or give a mesh of it.</source>
         <translation>Les faces de {0} ne peuvent pas être distinguées dans un maillage. Réparez le solide, ou donnez-en un maillage.</translation>
     </message>
@@ -3995,6 +4275,10 @@
         <translation>Le film « {0} » n'a pas de masse. Donnez sa masse surfacique.</translation>
     </message>
     <message>
+        <source>The film comes as near as {0} to the body, and a margin of {1} was asked for. Take more panels, or a larger margin.</source>
+        <translation>Le film s'approche jusqu'à {0} du corps, alors qu'une marge de {1} est demandée. Prendre plus de panneaux ou une marge plus grande.</translation>
+    </message>
+    <message>
         <source>The film file {0} calls itself "{1}": give both the same name.</source>
         <translation>Le fichier de film {0} se nomme « {1} » : donnez aux deux le même nom.</translation>
     </message>
@@ -4009,6 +4293,10 @@
     <message>
         <source>The film folds up and nothing of it is seen from above: make the shape thicker.</source>
         <translation>Le film se replie et rien n'en est visible d'en haut : faites la forme plus épaisse.</translation>
+    </message>
+    <message>
+        <source>The film lies from {0} to {1} outside of the body</source>
+        <translation>Le film est de {0} à {1} à l'extérieur du corps</translation>
     </message>
     <message>
         <source>The film needs a width of more than two spacings, and no spacing below 0.</source>
@@ -4153,6 +4441,14 @@
     <message>
         <source>The layout was stopped; nothing was changed.</source>
         <translation>La disposition a été arrêtée ; rien n'a changé.</translation>
+    </message>
+    <message>
+        <source>The line at {0} divides no panel.</source>
+        <translation>La ligne en {0} ne divise aucun panneau.</translation>
+    </message>
+    <message>
+        <source>The line at {0} misses the body.</source>
+        <translation>La ligne en {0} manque le corps.</translation>
     </message>
     <message>
         <source>The lines of the drawing do not close around anything: the outline follows the lines.</source>
@@ -4379,6 +4675,18 @@
         <translation>Les pièces de l'embout « {0} » sont en {1}, qui ne se soude pas à {2} : choisissez un autre embout, ou un film auquel cela se soude : {3}.</translation>
     </message>
     <message>
+        <source>The place {0} is not on panels {1}, between which the seam lies.</source>
+        <translation>L'endroit {0} n'est pas sur les panneaux {1}, entre lesquels se trouve la couture.</translation>
+    </message>
+    <message>
+        <source>The plane through {0} divides no panel.</source>
+        <translation>Le plan par {0} ne divise aucun panneau.</translation>
+    </message>
+    <message>
+        <source>The plane through {0} does not meet the body.</source>
+        <translation>Le plan par {0} ne rencontre pas le corps.</translation>
+    </message>
+    <message>
         <source>The pressure at the lower end must be 0 or more.</source>
         <translation>La pression à l'extrémité basse doit être 0 ou plus.</translation>
     </message>
@@ -4445,6 +4753,18 @@
     <message>
         <source>The seal width must be between 0.01 mm and 1 m, the allowance between 0 and 1 m.</source>
         <translation>La largeur de soudure doit être entre 0,01 mm et 1 m, la marge entre 0 et 1 m.</translation>
+    </message>
+    <message>
+        <source>The seam near {0} divides no panel.</source>
+        <translation>La couture près de {0} ne divise aucun panneau.</translation>
+    </message>
+    <message>
+        <source>The seam near {0} is one of {1}, not of {2}.</source>
+        <translation>La couture près de {0} est à {1}, pas à {2}.</translation>
+    </message>
+    <message>
+        <source>The seam near {0} would divide panels {1}, not {2}.</source>
+        <translation>La couture près de {0} diviserait les panneaux {1}, pas {2}.</translation>
     </message>
     <message>
         <source>The seams of {0} gores stand out by up to {1} over their middles. More gores make the body rounder.</source>
@@ -4539,12 +4859,24 @@
         <translation>Le solveur « {0} » demande le paquet Python scipy. Installez-le ou utilisez le solveur natif.</translation>
     </message>
     <message>
+        <source>The speed of welding must be above 0, and the time for each seam not below it.</source>
+        <translation>La vitesse de soudage doit être au-dessus de 0, et la durée pour chaque couture pas au-dessous.</translation>
+    </message>
+    <message>
         <source>The strips of valves are not here: lay them out on a sheet of their own, with "Valve film".</source>
         <translation>Les bandes des valves ne sont pas ici : disposez-les sur une feuille à part, avec « Film de valve ».</translation>
     </message>
     <message>
         <source>The summary cannot be shown ({0}); {1}.</source>
         <translation>Le résumé ne peut pas être affiché ({0}) ; {1}.</translation>
+    </message>
+    <message>
+        <source>The surface cannot be laid flat: some of its triangles have no area, or a panel hangs together in a point only. Repair the body, or take another number of panels.</source>
+        <translation>La surface ne peut pas être mise à plat : certains de ses triangles n'ont pas d'aire, ou un panneau ne tient qu'en un point. Réparer le corps ou prendre un autre nombre de panneaux.</translation>
+    </message>
+    <message>
+        <source>The surface crosses itself, at ({0}) of the mesh. Film cannot follow it there. Triangles that cross others: {1}.</source>
+        <translation>La surface se croise, en ({0}) du maillage. Le film ne peut pas la suivre là. Triangles qui en croisent d'autres : {1}.</translation>
     </message>
     <message>
         <source>The surface of the mesh has no outside, as a Moebius strip. Give the mesh of a solid.</source>
@@ -4645,6 +4977,10 @@
     <message>
         <source>There are no panels: choose sketches or flat faces.</source>
         <translation>Il n'y a pas de panneaux : choisissez des esquisses ou des faces planes.</translation>
+    </message>
+    <message>
+        <source>There are seams in the planes of symmetry already.</source>
+        <translation>Il y a déjà des coutures dans les plans de symétrie.</translation>
     </message>
     <message>
         <source>There can be 0 to {0} notches, not {1}, with a depth above 0.</source>
@@ -4749,6 +5085,14 @@
     <message>
         <source>There is no room for a flange of {0} there: choose another place or a smaller one.</source>
         <translation>Il n'y a pas la place d'une collerette de {0} à cet endroit : choisissez une autre place ou une plus petite.</translation>
+    </message>
+    <message>
+        <source>There is no seam between panels {0}.</source>
+        <translation>Il n'y a pas de couture entre les panneaux {0}.</translation>
+    </message>
+    <message>
+        <source>There is no seam near {0}.</source>
+        <translation>Il n'y a pas de couture près de {0}.</translation>
     </message>
     <message>
         <source>There is no seam {0} for the opening: the seams are 1 to {1}.</source>
@@ -4887,6 +5231,10 @@
         <translation>Triangles du maillage posés sur d'autres, laissés de côté : {0}.</translation>
     </message>
     <message>
+        <source>Triangles of the mesh that stood on its surface, or were walls inside it, were left out: {0}.</source>
+        <translation>Triangles du maillage dressés sur sa surface, ou cloisons à l'intérieur, laissés de côté : {0}.</translation>
+    </message>
+    <message>
         <source>Triangles of the mesh that were the wrong way round were turned: {0}.</source>
         <translation>Triangles du maillage qui étaient à l'envers, retournés : {0}.</translation>
     </message>
@@ -4895,12 +5243,20 @@
         <translation>Triangles du maillage dont les points ne sont pas des nombres, laissés de côté : {0}.</translation>
     </message>
     <message>
+        <source>Triangles that crossed others were cut out, and closed: {0}.</source>
+        <translation>Triangles qui en croisaient d'autres, découpés, et les trous refermés : {0}.</translation>
+    </message>
+    <message>
         <source>Try temperature and time on two scraps: the weld must stretch or tear before it opens.</source>
         <translation>Essayez température et durée sur deux chutes : la soudure doit s'étirer ou se déchirer avant de s'ouvrir.</translation>
     </message>
     <message>
         <source>Turns</source>
         <translation>Se rabat</translation>
+    </message>
+    <message>
+        <source>Twelve panels that follow a solid: change its sizes in the spreadsheet</source>
+        <translation>Douze panneaux qui suivent un solide : changez ses dimensions dans le tableur</translation>
     </message>
     <message>
         <source>Two circles: change their diameters in the sketch</source>
@@ -4933,6 +5289,10 @@
     <message>
         <source>Type = for an expression</source>
         <translation>Tapez = pour une expression</translation>
+    </message>
+    <message>
+        <source>Type two places for a cut, such as 10 0 50; 10 20 50, or choose a seam and type one.</source>
+        <translation>Tapez deux endroits pour une coupe, comme 10 0 50; 10 20 50, ou choisissez une couture et tapez-en un.</translation>
     </message>
     <message>
         <source>Undo (Ctrl+Z)</source>
@@ -4969,6 +5329,10 @@
     <message>
         <source>Volume</source>
         <translation>Volume</translation>
+    </message>
+    <message>
+        <source>Volume of the body: {0}, the balloon has {1} of it</source>
+        <translation>Volume du corps : {0}, le ballon en a {1}</translation>
     </message>
     <message>
         <source>Warm air</source>
@@ -5037,6 +5401,14 @@
     <message>
         <source>Welded across, last</source>
         <translation>Soudées en travers, en dernier</translation>
+    </message>
+    <message>
+        <source>Welding</source>
+        <translation>Soudage</translation>
+    </message>
+    <message>
+        <source>Welding: {0}</source>
+        <translation>Soudage : {0}</translation>
     </message>
     <message>
         <source>Welds easily with an impulse sealer or an iron. Yields at about 9 MPa, half its tensile strength, and creeps: keep the pressure low.</source>
@@ -5119,8 +5491,28 @@
         <translation>Avec les polices de cet ordinateur, {0} ne peut pas être tracé, lettre par lettre de gauche à droite : omettez-le dans l'inscription, ou installez une police qui l'a et redémarrez.</translation>
     </message>
     <message>
+        <source>With {0} panels some would cross themselves when laid flat: the body has {1}.</source>
+        <translation>Avec {0} panneaux, certains se croiseraient une fois mis à plat : le corps en a {1}.</translation>
+    </message>
+    <message>
+        <source>With {0} to {1} panels some would cross themselves when laid flat: give more panels.</source>
+        <translation>Avec {0} à {1} panneaux, certains se croiseraient une fois mis à plat : donnez plus de panneaux.</translation>
+    </message>
+    <message>
         <source>Within</source>
         <translation>À moins de</translation>
+    </message>
+    <message>
+        <source>Without this seam panel {0} goes round the body and cannot be laid flat.</source>
+        <translation>Sans cette couture, le panneau {0} fait le tour du corps et ne peut pas être mis à plat.</translation>
+    </message>
+    <message>
+        <source>Work out how near balloons of 6 to 60 panels come to the body</source>
+        <translation>Calculer à quel point des ballons de 6 à 60 panneaux s'approchent du corps</translation>
+    </message>
+    <message>
+        <source>Wrinkles</source>
+        <translation>Plis</translation>
     </message>
     <message>
         <source>Write all results for ParaView (.vtu) or NumPy (.npz), or the shape alone (.stl)</source>
@@ -5141,6 +5533,10 @@
     <message>
         <source>Write {"a": ["top", 0, 1], "b": ["side", 3, 2]}.</source>
         <translation>Écrivez {"a": ["top", 0, 1], "b": ["side", 3, 2]}.</translation>
+    </message>
+    <message>
+        <source>Write {"do": "cut", "at": [[0, 0, 50], [100, 0, 20]]}.</source>
+        <translation>Écrivez {"do": "cut", "at": [[0, 0, 50], [100, 0, 20]]}.</translation>
     </message>
     <message>
         <source>Write {"name": "top", "outer": [[0, 0], [300, 0], [150, 200]]}.</source>
@@ -5195,6 +5591,10 @@
         <translation>un corps est fait de lui-même, ou d'un corps qui n'existe pas</translation>
     </message>
     <message>
+        <source>a body hangs together</source>
+        <translation>un corps est d'un seul tenant</translation>
+    </message>
+    <message>
         <source>a coordinate is not a number</source>
         <translation>une coordonnée n'est pas un nombre</translation>
     </message>
@@ -5205,6 +5605,10 @@
     <message>
         <source>a point is no three numbers.</source>
         <translation>un point n'est pas fait de trois nombres.</translation>
+    </message>
+    <message>
+        <source>a sleeve has an end</source>
+        <translation>un manchon a un bout</translation>
     </message>
     <message>
         <source>a transform is not a number</source>
@@ -5235,6 +5639,10 @@
         <translation>une autre exécution y écrit depuis une minute</translation>
     </message>
     <message>
+        <source>any accuracy</source>
+        <translation>précision quelconque</translation>
+    </message>
+    <message>
         <source>apart {} in the mean, 95 % below {}, at most {}</source>
         <translation>écart moyen {}, 95 % sous {}, au plus {}</translation>
     </message>
@@ -5245,6 +5653,10 @@
     <message>
         <source>artwork.pdf was left out. {0}</source>
         <translation>artwork.pdf a été omis. {0}</translation>
+    </message>
+    <message>
+        <source>at most </source>
+        <translation>au plus </translation>
     </message>
     <message>
         <source>at most {} ({})</source>
@@ -5265,6 +5677,10 @@
     <message>
         <source>bed_mm is {0}: give [width, height], or null where there is no limit.</source>
         <translation>bed_mm est {0} : donnez [largeur, hauteur], ou null s'il n'y a pas de limite.</translation>
+    </message>
+    <message>
+        <source>both lie on borders of one piece</source>
+        <translation>les deux sont sur des bords d'une même pièce</translation>
     </message>
     <message>
         <source>choose Drawn as filled shape</source>
@@ -5323,6 +5739,10 @@
         <translation>téléchargement</translation>
     </message>
     <message>
+        <source>few panels</source>
+        <translation>peu de panneaux</translation>
+    </message>
+    <message>
         <source>film</source>
         <translation>film</translation>
     </message>
@@ -5363,6 +5783,10 @@
         <translation>hélium</translation>
     </message>
     <message>
+        <source>hide {} of the film's width</source>
+        <translation>cachent {} de la largeur du film</translation>
+    </message>
+    <message>
         <source>hint</source>
         <translation>indication</translation>
     </message>
@@ -5397,6 +5821,10 @@
     <message>
         <source>in the mean {} ({})</source>
         <translation>en moyenne {} ({})</translation>
+    </message>
+    <message>
+        <source>in the mean {}, 95 % below {}, at most {}</source>
+        <translation>en moyenne {}, 95 % sous {}, au plus {}</translation>
     </message>
     <message>
         <source>in {}</source>
@@ -5499,6 +5927,10 @@
         <translation>bas</translation>
     </message>
     <message>
+        <source>making the document</source>
+        <translation>la création du document</translation>
+    </message>
+    <message>
         <source>mass</source>
         <translation>masse</translation>
     </message>
@@ -5567,6 +5999,10 @@
         <translation>impression</translation>
     </message>
     <message>
+        <source>reading the solid</source>
+        <translation>la lecture du solide</translation>
+    </message>
+    <message>
         <source>right</source>
         <translation>droite</translation>
     </message>
@@ -5605,6 +6041,10 @@
     <message>
         <source>stopped; {0}.</source>
         <translation>arrêté ; {0}.</translation>
+    </message>
+    <message>
+        <source>strain {}</source>
+        <translation>déformation {}</translation>
     </message>
     <message>
         <source>strength</source>
@@ -5707,6 +6147,10 @@
         <translation>essai {0}, {1}</translation>
     </message>
     <message>
+        <source>true to shape</source>
+        <translation>forme fidèle</translation>
+    </message>
+    <message>
         <source>unknown: this film has no strength</source>
         <translation>inconnue : ce film n'a pas de résistance</translation>
     </message>
@@ -5799,6 +6243,10 @@
         <translation>{0} points par pouce s'impriment mal : donnez de {1} à {2}.</translation>
     </message>
     <message>
+        <source>{0} follows itself: choose something that is not made of it.</source>
+        <translation>{0} se suit soi-même : choisissez ce qui n'en est pas fait.</translation>
+    </message>
+    <message>
         <source>{0} gap between the lines closed, the widest {1} of the drawing's width.</source>
         <translation>{0} écart entre les lignes fermé, large de {1} de la largeur du dessin.</translation>
     </message>
@@ -5809,6 +6257,10 @@
     <message>
         <source>{0} has a point that is no number or farther away than {1}. Check its coordinates and the unit.</source>
         <translation>{0} a un point qui n'est pas un nombre ou qui est plus loin que {1}. Vérifiez ses coordonnées et l'unité.</translation>
+    </message>
+    <message>
+        <source>{0} has an error: repair it.</source>
+        <translation>{0} a une erreur : réparez-la.</translation>
     </message>
     <message>
         <source>{0} has fewer than three points. Give all of its corners.</source>
@@ -5887,8 +6339,8 @@
         <translation>{0} est un bord d'un trou : choisissez comme ouverture un bord d'une boucle extérieure.</translation>
     </message>
     <message>
-        <source>{0} is curved both ways, so that its film folds. Give a number of panels, into which the body is divided.</source>
-        <translation>{0} est courbé dans les deux sens, son film fait donc des plis. Donnez un nombre de panneaux, en lesquels le corps est divisé.</translation>
+        <source>{0} is curved both ways: it is cut into {1} strips.</source>
+        <translation>{0} est courbé dans les deux sens : coupé en {1} bandes.</translation>
     </message>
     <message>
         <source>{0} is damaged or incomplete ({1}). Install the workbench anew.</source>
@@ -5907,6 +6359,10 @@
         <translation>{0} est vide : tracez-y une ligne fermée.</translation>
     </message>
     <message>
+        <source>{0} is empty: draw a line in it.</source>
+        <translation>{0} est vide : dessinez-y une ligne.</translation>
+    </message>
+    <message>
         <source>{0} is empty: draw half an outline in it, beside the vertical axis.</source>
         <translation>{0} est vide : dessinez-y un demi-contour, à côté de l'axe vertical.</translation>
     </message>
@@ -5923,8 +6379,16 @@
         <translation>{0} n'est dans aucune couture : assemblez-le à un autre bord.</translation>
     </message>
     <message>
+        <source>{0} is in the document {1}: copy it into {2} first.</source>
+        <translation>{0} est dans le document {1} : copiez-le d'abord dans {2}.</translation>
+    </message>
+    <message>
         <source>{0} is in two seams: take one of them away.</source>
         <translation>{0} est dans deux coutures : retirez l'une d'elles.</translation>
+    </message>
+    <message>
+        <source>{0} is left out. {1}</source>
+        <translation>{0} est laissé de côté. {1}</translation>
     </message>
     <message>
         <source>{0} is neither DXF nor SVG: let the name end in .dxf or .svg.</source>
@@ -5933,6 +6397,10 @@
     <message>
         <source>{0} is neither VTU, NPZ nor STL: let the name end in .vtu, .npz or .stl.</source>
         <translation>{0} n'est ni VTU, ni NPZ, ni STL : terminez le nom par .vtu, .npz ou .stl.</translation>
+    </message>
+    <message>
+        <source>{0} is no body: give a solid, a mesh or the path of a file.</source>
+        <translation>{0} n'est pas un corps : donnez un solide, un maillage ou le chemin d'un fichier.</translation>
     </message>
     <message>
         <source>{0} is not a coordinate</source>
@@ -5977,6 +6445,10 @@
     <message>
         <source>{0} is {1} long, {2} {3}: make them equally long.</source>
         <translation>{0} mesure {1}, {2} {3} : donnez-leur la même longueur.</translation>
+    </message>
+    <message>
+        <source>{0} is {1} long. Scale it, so that it is between {2} and {3}.</source>
+        <translation>{0} mesure {1} de long. Le mettre à l'échelle pour qu'il soit entre {2} et {3}.</translation>
     </message>
     <message>
         <source>{0} is {1}. Seal each edge once: side a goes along its loop from its first point to its second, b against it.</source>
@@ -6131,6 +6603,10 @@
         <translation>{0}{1} n'a pas de longueur. Retirez l'un de ses points.</translation>
     </message>
     <message>
+        <source>{} ({})</source>
+        <translation>{} ({})</translation>
+    </message>
+    <message>
         <source>{} MB from {}; the file is checked before it is used, and nothing is sent.</source>
         <translation>{} MB de {} ; le fichier est vérifié avant d'être utilisé, et rien n'est envoyé.</translation>
     </message>
@@ -6145,6 +6621,14 @@
     <message>
         <source>{} gores, as many as {} of the profile's diagonal need</source>
         <translation>{} fuseaux, autant que {} de la diagonale du profil en demandent</translation>
+    </message>
+    <message>
+        <source>{} in the mean, at most {}</source>
+        <translation>{} en moyenne, au plus {}</translation>
+    </message>
+    <message>
+        <source>{} inside</source>
+        <translation>{} dedans</translation>
     </message>
     <message>
         <source>{} is in the tree</source>
@@ -6175,8 +6659,24 @@
         <translation>{} de {}</translation>
     </message>
     <message>
+        <source>{} outside</source>
+        <translation>{} dehors</translation>
+    </message>
+    <message>
         <source>{} panels, {} of seams, {} inside</source>
         <translation>{} panneaux, {} de coutures, {} à l'intérieur</translation>
+    </message>
+    <message>
+        <source>{} panels, {} seams of {}</source>
+        <translation>{} panneaux, {} coutures, {} de long</translation>
+    </message>
+    <message>
+        <source>{} panels: about {} off, {} of seams, {} h of welding</source>
+        <translation>{} panneaux : écart d'environ {}, {} de coutures, {} h de soudage</translation>
+    </message>
+    <message>
+        <source>{} to {}</source>
+        <translation>de {} à {}</translation>
     </message>
     <message>
         <source>{} x {}, {} thick, {}</source>

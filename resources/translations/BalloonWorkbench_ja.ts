@@ -64,6 +64,10 @@
         <translation>型紙の溶着線の頂点</translation>
     </message>
     <message>
+        <source>Corners of the triangles on the flat film; z is not 0 where a face does not unroll</source>
+        <translation>平らなフィルム上の三角形の頂点。平らに広がらない面では z が 0 になりません</translation>
+    </message>
+    <message>
         <source>Corners of the welds inside</source>
         <translation>内側の溶着線の頂点</translation>
     </message>
@@ -116,6 +120,10 @@
         <translation>つなぐ辺（例：Sketch.Edge1=Sketch001.Edge3）。面が共有する辺は書く必要がありません</translation>
     </message>
     <message>
+        <source>Edges that stand for pieces of curves</source>
+        <translation>曲線の一部を表す辺</translation>
+    </message>
+    <message>
         <source>Film left between pieces, and at the edges</source>
         <translation>部品の間と縁に残すフィルム</translation>
     </message>
@@ -164,12 +172,12 @@
         <translation>海抜高度</translation>
     </message>
     <message>
-        <source>Height of a body from a file; 0 follows</source>
-        <translation>ファイルから読んだ立体の高さ。0 なら自動</translation>
+        <source>Height of a body from a file, along z; 0 follows</source>
+        <translation>ファイルから読んだ立体の高さ（z 方向）。0 なら自動</translation>
     </message>
     <message>
-        <source>Height of a mesh from a file, along z; 0 follows</source>
-        <translation>ファイルから読んだメッシュの高さ（z 方向）。0 なら自動</translation>
+        <source>Height of a body from a file; 0 follows</source>
+        <translation>ファイルから読んだ立体の高さ。0 なら自動</translation>
     </message>
     <message>
         <source>Height of all that is cut</source>
@@ -212,8 +220,8 @@
         <translation>その継ぎ目に沿った位置（長さの 0～1）。0 なら継ぎ目か辺の中央</translation>
     </message>
     <message>
-        <source>How far the balloon may be from its profile, in parts of the profile's diagonal</source>
-        <translation>風船が断面からずれてよい量（断面の対角線に対する割合）</translation>
+        <source>How far the balloon may be from its profile or body on average, in parts of the diagonal</source>
+        <translation>風船が断面や立体から平均でどれだけ離れてよいか（対角線に対する割合）</translation>
     </message>
     <message>
         <source>How far the print goes past the cut</source>
@@ -260,6 +268,10 @@
         <translation>下端の閉じ方</translation>
     </message>
     <message>
+        <source>How the seams were changed: panels merged, seams cut and moved, one JSON text each</source>
+        <translation>継ぎ目の変更：パネルの結合、継ぎ目の追加と移動。1 つにつき 1 つの JSON テキスト</translation>
+    </message>
+    <message>
         <source>How the upper end is closed</source>
         <translation>上端の閉じ方</translation>
     </message>
@@ -272,8 +284,8 @@
         <translation>首の内幅、またはノズルの内径</translation>
     </message>
     <message>
-        <source>Into how many panels the body is divided; 0 takes the faces of a solid, 16 panels of a mesh</source>
-        <translation>立体を分けるパネルの数。0 ならソリッドは面ごと、メッシュは 16 枚</translation>
+        <source>Into how many panels the body is divided; 0 takes the faces of a solid, 16 panels of a mesh; 1 takes only the seams that are drawn</source>
+        <translation>立体を分けるパネルの数。0 ならソリッドは面ごと、メッシュは 16 枚。1 なら描いた継ぎ目だけを使います</translation>
     </message>
     <message>
         <source>It carries itself</source>
@@ -568,8 +580,8 @@
         <translation>凡例付きで色表示する結果</translation>
     </message>
     <message>
-        <source>STL, OBJ, PLY, 3MF or STEP file of a closed body; a copy travels in the document</source>
-        <translation>閉じた立体の STL、OBJ、PLY、3MF、STEP ファイル。写しが文書に入ります</translation>
+        <source>STL, OBJ, PLY, 3MF, STEP, IGES or BREP file of a closed body; a copy travels in the document</source>
+        <translation>閉じた立体の STL、OBJ、PLY、3MF、STEP、IGES、BREP ファイル。写しが文書に入ります</translation>
     </message>
     <message>
         <source>SVG, DXF or JSON file of half the outline; a copy travels in the document</source>
@@ -602,6 +614,14 @@
     <message>
         <source>Sketch, wire or face that the outline follows instead of a file</source>
         <translation>ファイルの代わりに輪郭が追従するスケッチ、ワイヤー、面</translation>
+    </message>
+    <message>
+        <source>Sketches are projected onto the side that is nearer to them only</source>
+        <translation>スケッチを、近い側の面だけに投影します</translation>
+    </message>
+    <message>
+        <source>Sketches whose lines are seams: they are projected onto the body along the normal of their plane</source>
+        <translation>線が継ぎ目になるスケッチ。スケッチ平面の法線の方向に立体へ投影します</translation>
     </message>
     <message>
         <source>Sketches, wires and flat faces that are the panels, each seen from outside</source>
@@ -706,6 +726,10 @@
     <message>
         <source>Thickness of the inflated balloon</source>
         <translation>ふくらんだ風船の厚み</translation>
+    </message>
+    <message>
+        <source>Three places on each of these, flat</source>
+        <translation>それぞれの上の 3 つの位置（平らな状態）</translation>
     </message>
     <message>
         <source>Three points of each triangle</source>
@@ -896,8 +920,8 @@
         <translation>自分の重さで浮く最小の幅（0：浮かない）</translation>
     </message>
     <message>
-        <source>Width of a mesh from a file, along x; 0 follows from the height, or the file</source>
-        <translation>ファイルから読んだメッシュの幅（x 方向）。0 なら高さかファイルから決まります</translation>
+        <source>Width of a body from a file, along x; 0 follows from the height, or the file</source>
+        <translation>ファイルから読んだ立体の幅（x 方向）。0 なら高さかファイルから決まります</translation>
     </message>
     <message>
         <source>Width of a side band between front and back; 0 is two panels</source>
@@ -1051,8 +1075,8 @@
         <translation>「{0}」は SVG、DXF、JSON のどれでもありません。いずれかで保存してください。</translation>
     </message>
     <message>
-        <source>'{0}' is no closed body: leave out --panels, or give an STL, OBJ, PLY or 3MF.</source>
-        <translation>「{0}」 は閉じた立体ではありません。--panels を外すか、STL、OBJ、PLY、3MF を渡してください。</translation>
+        <source>'{0}' is no closed body: leave out --panels, or give an STL, OBJ, PLY, 3MF or STEP.</source>
+        <translation>「{0}」は閉じた立体ではありません。--panels を外すか、STL、OBJ、PLY、3MF、STEP を渡してください。</translation>
     </message>
     <message>
         <source>'{0}' is no size: write 500mm for a width, 500mmx700mm for width and height.</source>
@@ -1077,6 +1101,10 @@
     <message>
         <source>'{0}' is not a {1}; write it like {2}.</source>
         <translation>「{0}」は使えません（{1}）。{2} のように書いてください。</translation>
+    </message>
+    <message>
+        <source>'{0}' is read by FreeCAD, which is not there: install it for the Python that runs this, or give an STL of the solid.</source>
+        <translation>「{0}」を読むのに必要な FreeCAD がありません。これを実行している Python から使えるように入れるか、ソリッドの STL を渡してください。</translation>
     </message>
     <message>
         <source>'{}' is not a picture. Save it as PNG, JPEG or BMP once more.</source>
@@ -1135,8 +1163,12 @@
         <translation>立体は {0} 枚のゴアでは作れません。{1}～{2} 枚にしてください。</translation>
     </message>
     <message>
-        <source>A body has 2 panels or more: say how many.</source>
-        <translation>立体には 2 枚以上のパネルが必要です。枚数を指定してください。</translation>
+        <source>A body has 2 panels or more: these are the last ones.</source>
+        <translation>立体のパネルは 2 枚以上です。これが最後の 2 枚です。</translation>
+    </message>
+    <message>
+        <source>A body is divided into 2 to {0} panels: say how many.</source>
+        <translation>立体は 2～{0} 枚のパネルに分けます。枚数を指定してください。</translation>
     </message>
     <message>
         <source>A body of gores has no side band: leave out what you give of the one or of the other.</source>
@@ -1149,6 +1181,10 @@
     <message>
         <source>A corner relief of {0} would cut into the weld: choose a smaller radius or a wider allowance.</source>
         <translation>{0} の角の逃げは溶着線に食い込みます。半径を小さくするか、余白を広くしてください。</translation>
+    </message>
+    <message>
+        <source>A cow from a mesh, by Keenan Crane: change the number of panels</source>
+        <translation>Keenan Crane 作のメッシュの牛：パネルの数を変えてみてください</translation>
     </message>
     <message>
         <source>A drawing with welds inside is not made symmetric: draw it so, and turn this off.</source>
@@ -1185,6 +1221,14 @@
     <message>
         <source>A lift of {0} is out of reach: {1} large, this balloon would lack {2}. Choose a lighter film or gas, a smaller lift, or a rounder shape.</source>
         <translation>{0} の浮力は得られません。{1} の大きさでも {2} 足りません。軽いフィルムや気体、小さな浮力、丸い形を選んでください。</translation>
+    </message>
+    <message>
+        <source>A line that is projected needs a direction. Give one.</source>
+        <translation>投影する線には方向が必要です。指定してください。</translation>
+    </message>
+    <message>
+        <source>A line that is projected needs two points or more. Draw them.</source>
+        <translation>投影する線には 2 点以上が必要です。描いてください。</translation>
     </message>
     <message>
         <source>A mesh of {0} is too coarse for a shape of {1}: use at most {2}.</source>
@@ -1231,8 +1275,28 @@
         <translation>枕箱の奥行きは幅より大きくできません。奥行きを小さくしてください。</translation>
     </message>
     <message>
+        <source>A plane needs its normal. Give one.</source>
+        <translation>平面には法線が必要です。指定してください。</translation>
+    </message>
+    <message>
+        <source>A seam cannot be moved so far: it would meet another one.</source>
+        <translation>継ぎ目をそこまで動かせません。別の継ぎ目に当たります。</translation>
+    </message>
+    <message>
+        <source>A seam cannot be moved so far: one of its panels would be lost.</source>
+        <translation>継ぎ目をそこまで動かせません。両側のパネルの 1 枚がなくなります。</translation>
+    </message>
+    <message>
         <source>A seam closes an edge of a triangle to a point. Check which runs it joins.</source>
         <translation>継ぎ目が三角形の辺を一点に閉じています。どの区間をつなぐのかを確認してください。</translation>
+    </message>
+    <message>
+        <source>A seam near {0} has one place only. Draw it through two.</source>
+        <translation>{0} 付近の継ぎ目の位置が 1 つしかありません。2 つの位置を通して描いてください。</translation>
+    </message>
+    <message>
+        <source>A seam near {0} would pass the same place twice. Draw it in two parts.</source>
+        <translation>{0} 付近の継ぎ目が同じ所を 2 回通ります。2 つに分けて描いてください。</translation>
     </message>
     <message>
         <source>A sketch with dimensions: change a cell of the spreadsheet, and all follows</source>
@@ -1335,6 +1399,10 @@
         <translation>溶着線に沿った長さ</translation>
     </message>
     <message>
+        <source>Also on the other side</source>
+        <translation>反対側にも</translation>
+    </message>
+    <message>
         <source>Aluminised BOPP foil, 30 µm</source>
         <translation>アルミ蒸着 BOPP フィルム、30 µm</translation>
     </message>
@@ -1345,6 +1413,10 @@
     <message>
         <source>Aluminised nylon/PE foil (party balloon), 30 µm</source>
         <translation>アルミ蒸着ナイロン/PE フィルム（パーティー用風船）、30 µm</translation>
+    </message>
+    <message>
+        <source>An accuracy is for a balloon that follows its body: give the number of panels of one that encloses or lines it.</source>
+        <translation>精度を指定できるのは立体に沿う風船だけです。立体を包む風船や内側に張る風船では、パネルの数を指定してください。</translation>
     </message>
     <message>
         <source>An animation needs at least two frames, not {0}.</source>
@@ -1393,6 +1465,10 @@
     <message>
         <source>Assembly sheet written to {}</source>
         <translation>組み立て図を {} に書き出しました</translation>
+    </message>
+    <message>
+        <source>At worst the film lies {0} on the wrong side of the body, and a margin of {1} was asked for. Take more panels, or a larger margin.</source>
+        <translation>フィルムは最大 {0} 立体の反対側にあり、指定された余裕は {1} です。パネルを増やすか、余裕を大きくしてください。</translation>
     </message>
     <message>
         <source>At {0} dots per inch the sheet would have {1} x {2} pixels: give a lower resolution.</source>
@@ -1491,6 +1567,14 @@
         <translation>継ぎ目の両側は同じ長さでなければなりません</translation>
     </message>
     <message>
+        <source>Bottle</source>
+        <translation>ボトル</translation>
+    </message>
+    <message>
+        <source>Bring the 3D view of the document to the front first.</source>
+        <translation>先に文書の 3D ビューを前面に出してください。</translation>
+    </message>
+    <message>
         <source>Brush</source>
         <translation>ブラシ</translation>
     </message>
@@ -1579,6 +1663,26 @@
         <translation>並べる型紙を選んでください。</translation>
     </message>
     <message>
+        <source>Click a seam: its panels become one. Esc: done.</source>
+        <translation>継ぎ目をクリックすると、両側のパネルが 1 枚になります。Esc：終了。</translation>
+    </message>
+    <message>
+        <source>Click a seam: the panels beside it become one</source>
+        <translation>継ぎ目をクリックすると、両側のパネルが 1 枚になります</translation>
+    </message>
+    <message>
+        <source>Click two places: a seam runs between them</source>
+        <translation>2 か所をクリックすると、その間に継ぎ目が通ります</translation>
+    </message>
+    <message>
+        <source>Click where the new seam begins. Esc: done.</source>
+        <translation>新しい継ぎ目の始点をクリックします。Esc：終了。</translation>
+    </message>
+    <message>
+        <source>Click where the seam ends. Esc: another start.</source>
+        <translation>継ぎ目の終点をクリックします。Esc：始点をやり直す。</translation>
+    </message>
+    <message>
         <source>Close the open task panel first.</source>
         <translation>先に開いているタスクパネルを閉じてください。</translation>
     </message>
@@ -1609,6 +1713,10 @@
     <message>
         <source>Custom</source>
         <translation>カスタム</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>切る</translation>
     </message>
     <message>
         <source>Cut all panels from {film}, as they are drawn: so they are seen from outside, with the sealing side below.</source>
@@ -1671,8 +1779,8 @@
         <translation>距離</translation>
     </message>
     <message>
-        <source>Distance from profile or drawing</source>
-        <translation>断面または図との隔たり</translation>
+        <source>Distance from profile, drawing or body</source>
+        <translation>断面、図、立体との隔たり</translation>
     </message>
     <message>
         <source>Dividing a body needs scipy: install it with pip install scipy.</source>
@@ -1681,6 +1789,14 @@
     <message>
         <source>Dots per inch</source>
         <translation>解像度（dpi）</translation>
+    </message>
+    <message>
+        <source>Drag a seam to where it shall run. Esc: done.</source>
+        <translation>継ぎ目を通したい所へドラッグします。Esc：終了。</translation>
+    </message>
+    <message>
+        <source>Drag a seam: it runs through the place</source>
+        <translation>継ぎ目をドラッグすると、その位置を通ります</translation>
     </message>
     <message>
         <source>Drag in the view</source>
@@ -1707,6 +1823,10 @@
         <translation>図をシルエットに重ねる</translation>
     </message>
     <message>
+        <source>Drawing seams needs scipy: install it with pip install scipy.</source>
+        <translation>継ぎ目を描くには scipy が必要です。pip install scipy で入れてください。</translation>
+    </message>
+    <message>
         <source>Drawing {0}</source>
         <translation>{0} を描いています</translation>
     </message>
@@ -1727,8 +1847,8 @@
         <translation>線の色ごとに別の加工になります。赤、青、オレンジを切り、ほかはすべて「無視」にしてください。DXF は読めません。</translation>
     </message>
     <message>
-        <source>Edges of the mesh at which more than two triangles meet: {0}. Repair it in the program that it comes from, so that it is the surface of a solid.</source>
-        <translation>3 つ以上の三角形が集まるメッシュの辺：{0}。元のプログラムで直し、ソリッドの表面になるようにしてください。</translation>
+        <source>Edges of the mesh at which more than two triangles meet: {0}, one of them at ({1}) of the mesh. Repair it in the program that it comes from, so that it is the surface of a solid.</source>
+        <translation>3 つ以上の三角形が集まるメッシュの辺：{0}、その 1 つの位置はメッシュの ({1})。元のプログラムで直し、ソリッドの表面になるようにしてください。</translation>
     </message>
     <message>
         <source>Edit artwork</source>
@@ -1741,6 +1861,10 @@
     <message>
         <source>Edit film</source>
         <translation>フィルムの配置を編集</translation>
+    </message>
+    <message>
+        <source>Eight panels for a solid with fillets: change its section or their number</source>
+        <translation>フィレット付きソリッドの 8 枚のパネル：断面や枚数を変えてみてください</translation>
     </message>
     <message>
         <source>Elastic</source>
@@ -1779,6 +1903,10 @@
         <translation>式</translation>
     </message>
     <message>
+        <source>Face{0} of {1} is curved so much that it would take {2} strips of film. Give a number of panels, or leave such details out of the solid.</source>
+        <translation>{1} の Face{0} は曲がりが強く、フィルムの帯が {2} 本必要になります。パネルの数を指定するか、そのような細部をソリッドから除いてください。</translation>
+    </message>
+    <message>
         <source>Farthest point</source>
         <translation>最も遠い所</translation>
     </message>
@@ -1801,6 +1929,14 @@
     <message>
         <source>Fetching {0} ({1} MB) into {2}; only the file with SHA-256 {3} is kept.</source>
         <translation>{0}（{1} MB）を {2} に取得します。残すのは SHA-256 が {3} のファイルだけです。</translation>
+    </message>
+    <message>
+        <source>Few panels or true to shape</source>
+        <translation>少ないパネルか、形に忠実か</translation>
+    </message>
+    <message>
+        <source>Few panels or true to shape?</source>
+        <translation>少ないパネルか、形に忠実か？</translation>
     </message>
     <message>
         <source>File</source>
@@ -1845,6 +1981,10 @@
     <message>
         <source>Filled shape</source>
         <translation>塗った形</translation>
+    </message>
+    <message>
+        <source>Filleted housing</source>
+        <translation>フィレット付きの筐体</translation>
     </message>
     <message>
         <source>Film</source>
@@ -1927,8 +2067,8 @@
         <translation>コマは時間ではなく動きに対して等間隔です。質量はフィルムだけにあり、気体にはありません。</translation>
     </message>
     <message>
-        <source>FreeCAD cannot make the document ({0}). {1}</source>
-        <translation>FreeCAD で作れません（{0}）。{1}</translation>
+        <source>FreeCAD failed while {0} ({1}). {2}</source>
+        <translation>{0}中に FreeCAD が失敗しました（{1}）。{2}</translation>
     </message>
     <message>
         <source>FreeCAD has no material card "{0}": choose one of its material editor.</source>
@@ -1939,8 +2079,8 @@
         <translation>書き込めるホームフォルダーと一時フォルダー、それにメモリーが必要です。</translation>
     </message>
     <message>
-        <source>FreeCAD stopped before the document was done ({0}). {1}</source>
-        <translation>FreeCAD が途中で終了しました（{0}）。{1}</translation>
+        <source>FreeCAD stopped while {0} ({1}). {2}</source>
+        <translation>{0}中に FreeCAD が停止しました（{1}）。{2}</translation>
     </message>
     <message>
         <source>From the flat film to the balloon at rest</source>
@@ -1969,6 +2109,10 @@
     <message>
         <source>Give --artwork for the front too.</source>
         <translation>表の --artwork も指定してください。</translation>
+    </message>
+    <message>
+        <source>Give a number of panels, into which the body is divided.</source>
+        <translation>立体を分けるパネルの数を指定してください。</translation>
     </message>
     <message>
         <source>Give either --material, or all of --young, --poisson and --thickness.</source>
@@ -2095,6 +2239,10 @@
         <translation>継ぎ目に沿った開口の位置は 0～1 でなければなりません。</translation>
     </message>
     <message>
+        <source>How far the balloon may be from the body on average, of the body's diagonal</source>
+        <translation>風船が立体から平均でどれだけ離れてよいか（立体の対角線に対する割合）</translation>
+    </message>
+    <message>
         <source>How far the outline moves if the weld creases could not be simulated. {0}</source>
         <translation>溶着線にしわが寄った場合に輪郭がどれだけ動くかを計算できませんでした。{0}</translation>
     </message>
@@ -2183,8 +2331,24 @@
         <translation>まだふくらんでいません。コンテキストメニューで「今すぐふくらませる」を選ぶか、ライブをオンにしてください。</translation>
     </message>
     <message>
+        <source>It is not repeated on the other side. {0}</source>
+        <translation>反対側では繰り返しません。{0}</translation>
+    </message>
+    <message>
         <source>It is wider now. Ctrl+Z takes that back.</source>
         <translation>広くしました。Ctrl+Z で元に戻せます。</translation>
+    </message>
+    <message>
+        <source>It lies</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>It needs more places: give them all.</source>
+        <translation>位置が足りません。すべて指定してください。</translation>
+    </message>
+    <message>
+        <source>It takes {0} h at {1} m/min and {2} min for each seam.</source>
+        <translation>{1} m/min、シーム 1 本あたり {2} 分で {0} 時間かかります。</translation>
     </message>
     <message>
         <source>Its pattern is gone: delete it.</source>
@@ -2225,6 +2389,10 @@
     <message>
         <source>Labels need matplotlib: install it with pip install matplotlib, or leave the label empty.</source>
         <translation>文字には matplotlib が必要です。pip install matplotlib で入れるか、文字を空にしてください。</translation>
+    </message>
+    <message>
+        <source>Laid flat</source>
+        <translation>平らに広げたとき</translation>
     </message>
     <message>
         <source>Laid one piece after another: the package spyrrow (pip install spyrrow) often finds a closer layout.</source>
@@ -2363,6 +2531,10 @@
         <translation>線の端を図につなぎました。</translation>
     </message>
     <message>
+        <source>Loose film: {0}, wrinkled: {1}; wrinkles hide {2} of it</source>
+        <translation>たるんでいるフィルム：{0}、しわになっているフィルム：{1}、しわに隠れる分：{2}</translation>
+    </message>
+    <message>
         <source>Low</source>
         <translation>低い所</translation>
     </message>
@@ -2409,6 +2581,10 @@
     <message>
         <source>Membrane tension</source>
         <translation>膜張力</translation>
+    </message>
+    <message>
+        <source>Merge</source>
+        <translation>結合</translation>
     </message>
     <message>
         <source>Mesh reuse needs scipy: install it with pip install scipy.</source>
@@ -2523,6 +2699,10 @@
         <translation>Newmark</translation>
     </message>
     <message>
+        <source>No balloon came within {0} of the body's diagonal: tried were {1} panels. This is the nearest one, {2}. Ask for less, or divide the body yourself where the film stays far from it.</source>
+        <translation>立体の対角線の {0} 以内に収まる風船がありませんでした。試したパネルの数は {1} です。最も近いのはこの風船で、{2} です。求める精度を下げるか、フィルムが離れている所で立体を自分で分けてください。</translation>
+    </message>
+    <message>
         <source>No balloon can be inflated anew without it; patterns can be changed and written.</source>
         <translation>これがないと風船を新たにふくらませられません。型紙の変更と書き出しはできます。</translation>
     </message>
@@ -2539,6 +2719,10 @@
         <translation>制限なし</translation>
     </message>
     <message>
+        <source>No number of panels up to {} comes so near. {} panels: about {} off</source>
+        <translation>{} 枚までのパネルでは、そこまで近づきません。パネル {} 枚：ずれ約 {}</translation>
+    </message>
+    <message>
         <source>No panel has an edge "{0}": choose one of an outline or face of this bag.</source>
         <translation>「{0}」という辺のあるパネルはありません。この袋の輪郭か面の辺を選んでください。</translation>
     </message>
@@ -2553,6 +2737,10 @@
     <message>
         <source>No pattern here has pieces of "{0}": choose another film.</source>
         <translation>ここの型紙には「{0}」の部品がありません。別のフィルムを選んでください。</translation>
+    </message>
+    <message>
+        <source>No seam can be drawn near {0}.</source>
+        <translation>{0} 付近には継ぎ目を描けません。</translation>
     </message>
     <message>
         <source>No shape stands out in the picture. Use stronger colours or a plainer background.</source>
@@ -2673,6 +2861,10 @@
     <message>
         <source>Offer the native solver where it is missing</source>
         <translation>ネイティブソルバーがないときに取得するか尋ねる</translation>
+    </message>
+    <message>
+        <source>On a symmetric body a change is repeated where its mirror image lies</source>
+        <translation>対称な立体では、変更を鏡像の位置でも繰り返します</translation>
     </message>
     <message>
         <source>On the way of the valve the balloon narrows to {0} at {1}; its channel takes {2} with its welds there. Make the neck wider or put it elsewhere, else the weld closes the valve.</source>
@@ -2807,6 +2999,14 @@
         <translation>パネル 「{0}」 が表面全体になり、縁がありません。立体をもっと多くのパネルに分けてください。</translation>
     </message>
     <message>
+        <source>Panel '{0}' would cross itself when laid flat. {1}</source>
+        <translation>パネル「{0}」は平らに広げると自分と交わります。{1}</translation>
+    </message>
+    <message>
+        <source>Panel {0} goes round a part of the body: it is cut open there.</source>
+        <translation>パネル {0} は立体の一部を一周しています。そこで切り開きます。</translation>
+    </message>
+    <message>
         <source>Panel {0} has a triangle with a vertex that is not there. Mesh it anew.</source>
         <translation>パネル{0}に存在しない頂点をもつ三角形があります。メッシュを作り直してください。</translation>
     </message>
@@ -2847,6 +3047,10 @@
         <translation>パネル {0} が表と裏の間で {1} 傾いています。そこの側面の帯を狭くするか、図の部分を広くしてください。</translation>
     </message>
     <message>
+        <source>Panel {0} near {1} goes round the body and cannot be laid flat. Draw a seam across it.</source>
+        <translation>{1} 付近のパネル {0} は立体を一周していて、平らに広げられません。それを横切る継ぎ目を描いてください。</translation>
+    </message>
+    <message>
         <source>Panel {0} of the JSON file has no name or no 'outer' loop. {1}</source>
         <translation>JSON ファイルのパネル {0} に名前か 'outer' の境界がありません。{1}</translation>
     </message>
@@ -2865,6 +3069,10 @@
     <message>
         <source>Panels are laid on the film in rows instead of closely; nothing else changes.</source>
         <translation>フィルム片は詰めずに列に並べられます。ほかは変わりません。</translation>
+    </message>
+    <message>
+        <source>Panels laid flat: strained by {0} on average, at most {1}</source>
+        <translation>平らに広げたパネル：ひずみは平均 {0}、最大 {1}</translation>
     </message>
     <message>
         <source>Panels with gussets, whose sizes come from a spreadsheet</source>
@@ -2989,6 +3197,10 @@
     <message>
         <source>Place on the seam</source>
         <translation>溶着線上の位置</translation>
+    </message>
+    <message>
+        <source>Places on the body in mm: two for a cut, one for the chosen seam to be moved to</source>
+        <translation>立体上の位置（mm）：切るなら 2 つ、選んだ継ぎ目を動かすなら移す先の 1 つ</translation>
     </message>
     <message>
         <source>Plain PET does not weld to itself: take a grade with a sealing layer, or tape. The aluminium (some 50 nm) adds neither stiffness nor weight. What shops sell as Mylar balloons is mostly nylon-foil.</source>
@@ -3275,6 +3487,10 @@
         <translation>継ぎ目</translation>
     </message>
     <message>
+        <source>Seam edit {0}</source>
+        <translation>継ぎ目の変更 {0}</translation>
+    </message>
+    <message>
         <source>Seam length</source>
         <translation>継ぎ目の長さ</translation>
     </message>
@@ -3337,6 +3553,22 @@
     <message>
         <source>Seam {0} of the JSON file has no two sides 'a' and 'b'. {1}</source>
         <translation>JSON ファイルの継ぎ目 {0} に 2 つの側 'a' と 'b' がありません。{1}</translation>
+    </message>
+    <message>
+        <source>Seam {0} of the list does none of {1}. {2}</source>
+        <translation>一覧の継ぎ目 {0} は {1} のどれでもありません。{2}</translation>
+    </message>
+    <message>
+        <source>Seam {0} of the list has a place that is not [x, y, z]. {1}</source>
+        <translation>一覧の継ぎ目 {0} に [x, y, z] でない位置があります。{1}</translation>
+    </message>
+    <message>
+        <source>Seam {0} of the list has an unknown '{1}'. Use {2}.</source>
+        <translation>一覧の継ぎ目 {0} に不明な '{1}' があります。{2} を使ってください。</translation>
+    </message>
+    <message>
+        <source>Seam {0} of the list: 'side' is '{1}' or '{2}', 'mirrored' is true or false.</source>
+        <translation>一覧の継ぎ目 {0}：'side' は '{1}' か '{2}'、'mirrored' は true か false です。</translation>
     </message>
     <message>
         <source>Seam {0}: {1} to {2}, last, with the opening.</source>
@@ -3519,6 +3751,10 @@
         <translation>間隔</translation>
     </message>
     <message>
+        <source>Spot in 16 panels</source>
+        <translation>16 枚のパネルの Spot</translation>
+    </message>
+    <message>
         <source>Steps</source>
         <translation>手順</translation>
     </message>
@@ -3575,6 +3811,14 @@
         <translation>片方のフィルムに仮留め</translation>
     </message>
     <message>
+        <source>Take a tool to change the seams, or choose one and press Delete to merge.</source>
+        <translation>継ぎ目を変えるツールを選ぶか、継ぎ目を選んで Delete キーで結合してください。</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>元に戻す</translation>
+    </message>
+    <message>
         <source>Take everything off the paper</source>
         <translation>紙の上をすべて消す</translation>
     </message>
@@ -3585,6 +3829,10 @@
     <message>
         <source>Take seam apart</source>
         <translation>継ぎ目を外す</translation>
+    </message>
+    <message>
+        <source>Take the last change of a seam back (Ctrl+Z in the 3D view)</source>
+        <translation>継ぎ目の最後の変更を元に戻す（3D ビューでは Ctrl+Z）</translation>
     </message>
     <message>
         <source>Take the numbers of one of FreeCAD's material cards</source>
@@ -3643,6 +3891,10 @@
         <translation>{0} ページになってしまいます。大きな用紙か小さな風船にしてください。</translation>
     </message>
     <message>
+        <source>The 'at' of seam {0} of the list is no list of places. {1}</source>
+        <translation>一覧の継ぎ目 {0} の 'at' が位置のリストではありません。{1}</translation>
+    </message>
+    <message>
         <source>The 'cut' of panel '{0}' is neither true nor false. Write one of them.</source>
         <translation>パネル「{0}」の 'cut' が true でも false でもありません。どちらかを書いてください。</translation>
     </message>
@@ -3661,6 +3913,10 @@
     <message>
         <source>The 'opening' of the JSON file has no panel and point. {0}</source>
         <translation>JSON ファイルの 'opening' にパネルと点がありません。{0}</translation>
+    </message>
+    <message>
+        <source>The 'panels' of seam {0} of the list are no names. {1}</source>
+        <translation>一覧の継ぎ目 {0} の 'panels' が名前ではありません。{1}</translation>
     </message>
     <message>
         <source>The 'parts' of the JSON file are not a list of shapes. {0}</source>
@@ -3755,8 +4011,8 @@
         <translation>Python パッケージ {0} がありません。{1} 入れるには：pip install {2}</translation>
     </message>
     <message>
-        <source>The STL file is damaged: it ends too early. Save it once more.</source>
-        <translation>STL ファイルが壊れています。途中で終わっています。保存し直してください。</translation>
+        <source>The STL file is damaged, as it ends too early, or no STL file at all. Save it once more.</source>
+        <translation>STL ファイルが途中で終わっていて壊れているか、STL ファイルではありません。保存し直してください。</translation>
     </message>
     <message>
         <source>The STL file is damaged: it has no triangles, or half of one. Save it once more.</source>
@@ -3789,6 +4045,14 @@
     <message>
         <source>The Young's modulus across the grain {0} is too large for one along it of {1}: turn the grain by 90 degrees and exchange the two.</source>
         <translation>流れに直角のヤング率 {0} は、流れ方向の {1} に対して大きすぎます。流れ方向を 90 度回し、二つを入れ替えてください。</translation>
+    </message>
+    <message>
+        <source>The accuracy decides the number of panels: give one of them.</source>
+        <translation>パネルの数は精度で決まります。どちらか一方だけを指定してください。</translation>
+    </message>
+    <message>
+        <source>The accuracy must be above 0 and below 1: 0.003 is within 0.3 % of the diagonal.</source>
+        <translation>精度は 0 より大きく 1 より小さい数です。0.003 は対角線の 0.3 % 以内です。</translation>
     </message>
     <message>
         <source>The accuracy must be above 0 and below 1: 0.01 is within 1 % of the profile.</source>
@@ -3849,6 +4113,18 @@
     <message>
         <source>The body '{0}' has no '{1}'. It has {2}.</source>
         <translation>立体「{0}」に '{1}' はありません。あるのは {2} です。</translation>
+    </message>
+    <message>
+        <source>The body has no plane of symmetry.</source>
+        <translation>立体に対称面がありません。</translation>
+    </message>
+    <message>
+        <source>The body has no seam. Draw seams, or take 2 panels or more.{0}</source>
+        <translation>立体に継ぎ目がありません。継ぎ目を描くか、パネルを 2 枚以上にしてください。{0}</translation>
+    </message>
+    <message>
+        <source>The body has nothing near {0}. Give a place on its surface.</source>
+        <translation>{0} 付近に立体がありません。表面上の位置を指定してください。</translation>
     </message>
     <message>
         <source>The body is thinner than {0} over {1} of its surface: film bulges there. Make such parts of two panels of their own, or thicker.</source>
@@ -3955,6 +4231,10 @@
         <translation>選んだ継ぎ目の辺が自由になりました</translation>
     </message>
     <message>
+        <source>The end of a seam cannot be moved alone. Take hold of the seam between its ends.</source>
+        <translation>継ぎ目の端だけを動かすことはできません。両端の間をつかんでください。</translation>
+    </message>
+    <message>
         <source>The faces of {0} cannot be told from each other in a mesh. Repair the solid, or give a mesh of it.</source>
         <translation>{0} の面をメッシュで区別できません。ソリッドを直すか、そのメッシュを渡してください。</translation>
     </message>
@@ -3995,6 +4275,10 @@
         <translation>フィルム「{0}」に質量がありません。面密度を入力してください。</translation>
     </message>
     <message>
+        <source>The film comes as near as {0} to the body, and a margin of {1} was asked for. Take more panels, or a larger margin.</source>
+        <translation>フィルムは立体に {0} まで近づきますが、指定された余裕は {1} です。パネルを増やすか、余裕を大きくしてください。</translation>
+    </message>
+    <message>
         <source>The film file {0} calls itself "{1}": give both the same name.</source>
         <translation>フィルムのファイル {0} の中の名前は「{1}」です。同じ名前にしてください。</translation>
     </message>
@@ -4009,6 +4293,10 @@
     <message>
         <source>The film folds up and nothing of it is seen from above: make the shape thicker.</source>
         <translation>フィルムが折りたたまれ、上からは何も見えません。形を太くしてください。</translation>
+    </message>
+    <message>
+        <source>The film lies from {0} to {1} outside of the body</source>
+        <translation>フィルムの位置は立体の外側 {0}～{1} です</translation>
     </message>
     <message>
         <source>The film needs a width of more than two spacings, and no spacing below 0.</source>
@@ -4153,6 +4441,14 @@
     <message>
         <source>The layout was stopped; nothing was changed.</source>
         <translation>配置を中止しました。何も変わっていません。</translation>
+    </message>
+    <message>
+        <source>The line at {0} divides no panel.</source>
+        <translation>{0} の線はどのパネルも分けません。</translation>
+    </message>
+    <message>
+        <source>The line at {0} misses the body.</source>
+        <translation>{0} の線が立体に当たりません。</translation>
     </message>
     <message>
         <source>The lines of the drawing do not close around anything: the outline follows the lines.</source>
@@ -4379,6 +4675,18 @@
         <translation>注入口「{0}」の部品は {1} で、{2} とは溶着しません。別の注入口か、それと溶着できるフィルムを選んでください：{3}。</translation>
     </message>
     <message>
+        <source>The place {0} is not on panels {1}, between which the seam lies.</source>
+        <translation>位置 {0} は、継ぎ目の両側のパネル {1} の上にありません。</translation>
+    </message>
+    <message>
+        <source>The plane through {0} divides no panel.</source>
+        <translation>{0} を通る平面はどのパネルも分けません。</translation>
+    </message>
+    <message>
+        <source>The plane through {0} does not meet the body.</source>
+        <translation>{0} を通る平面は立体と交わりません。</translation>
+    </message>
+    <message>
         <source>The pressure at the lower end must be 0 or more.</source>
         <translation>下端の圧力は 0 以上でなければなりません。</translation>
     </message>
@@ -4445,6 +4753,18 @@
     <message>
         <source>The seal width must be between 0.01 mm and 1 m, the allowance between 0 and 1 m.</source>
         <translation>溶着幅は 0.01 mm～1 m、余白は 0～1 m にしてください。</translation>
+    </message>
+    <message>
+        <source>The seam near {0} divides no panel.</source>
+        <translation>{0} 付近の継ぎ目はどのパネルも分けません。</translation>
+    </message>
+    <message>
+        <source>The seam near {0} is one of {1}, not of {2}.</source>
+        <translation>{0} 付近の継ぎ目は {2} ではなく {1} のものです。</translation>
+    </message>
+    <message>
+        <source>The seam near {0} would divide panels {1}, not {2}.</source>
+        <translation>{0} 付近の継ぎ目は、パネル {2} ではなく {1} を分けることになります。</translation>
     </message>
     <message>
         <source>The seams of {0} gores stand out by up to {1} over their middles. More gores make the body rounder.</source>
@@ -4539,12 +4859,24 @@
         <translation>ソルバー「{0}」には Python パッケージ scipy が必要です。入れるか、ネイティブソルバーを使ってください。</translation>
     </message>
     <message>
+        <source>The speed of welding must be above 0, and the time for each seam not below it.</source>
+        <translation>溶着の速さは 0 より大きく、継ぎ目ごとの時間は 0 以上でなければなりません。</translation>
+    </message>
+    <message>
         <source>The strips of valves are not here: lay them out on a sheet of their own, with "Valve film".</source>
         <translation>弁の帯はここにはありません。「弁のフィルム」を選び、別のシートに並べてください。</translation>
     </message>
     <message>
         <source>The summary cannot be shown ({0}); {1}.</source>
         <translation>要約を表示できません（{0}）。{1}。</translation>
+    </message>
+    <message>
+        <source>The surface cannot be laid flat: some of its triangles have no area, or a panel hangs together in a point only. Repair the body, or take another number of panels.</source>
+        <translation>表面を平らに展開できません。面積のない三角形があるか、パネルが 1 点だけでつながっています。立体を修復するか、パネルの数を変えてください。</translation>
+    </message>
+    <message>
+        <source>The surface crosses itself, at ({0}) of the mesh. Film cannot follow it there. Triangles that cross others: {1}.</source>
+        <translation>表面が自分と交わっています（メッシュの ({0})）。そこではフィルムが沿えません。ほかと交わる三角形：{1}。</translation>
     </message>
     <message>
         <source>The surface of the mesh has no outside, as a Moebius strip. Give the mesh of a solid.</source>
@@ -4645,6 +4977,10 @@
     <message>
         <source>There are no panels: choose sketches or flat faces.</source>
         <translation>パネルがありません。スケッチか平らな面を選んでください。</translation>
+    </message>
+    <message>
+        <source>There are seams in the planes of symmetry already.</source>
+        <translation>対称面にはすでに継ぎ目があります。</translation>
     </message>
     <message>
         <source>There can be 0 to {0} notches, not {1}, with a depth above 0.</source>
@@ -4749,6 +5085,14 @@
     <message>
         <source>There is no room for a flange of {0} there: choose another place or a smaller one.</source>
         <translation>そこに {0} のフランジは入りません。別の場所か小さなフランジにしてください。</translation>
+    </message>
+    <message>
+        <source>There is no seam between panels {0}.</source>
+        <translation>パネル {0} の間に継ぎ目はありません。</translation>
+    </message>
+    <message>
+        <source>There is no seam near {0}.</source>
+        <translation>{0} 付近に継ぎ目はありません。</translation>
     </message>
     <message>
         <source>There is no seam {0} for the opening: the seams are 1 to {1}.</source>
@@ -4887,6 +5231,10 @@
         <translation>ほかと重なっていたため省いたメッシュの三角形：{0}。</translation>
     </message>
     <message>
+        <source>Triangles of the mesh that stood on its surface, or were walls inside it, were left out: {0}.</source>
+        <translation>表面に立っていたか内側の壁だったため省いたメッシュの三角形：{0}。</translation>
+    </message>
+    <message>
         <source>Triangles of the mesh that were the wrong way round were turned: {0}.</source>
         <translation>裏返しだったため向きを直したメッシュの三角形：{0}。</translation>
     </message>
@@ -4895,12 +5243,20 @@
         <translation>点が数でないため省いたメッシュの三角形：{0}。</translation>
     </message>
     <message>
+        <source>Triangles that crossed others were cut out, and closed: {0}.</source>
+        <translation>ほかと交わっていたため切り取り、穴をふさいだ三角形：{0}。</translation>
+    </message>
+    <message>
         <source>Try temperature and time on two scraps: the weld must stretch or tear before it opens.</source>
         <translation>端切れ 2 枚で温度と時間を試します。溶着したところが、はがれる前に伸びるか破れれば合格です。</translation>
     </message>
     <message>
         <source>Turns</source>
         <translation>折り返し</translation>
+    </message>
+    <message>
+        <source>Twelve panels that follow a solid: change its sizes in the spreadsheet</source>
+        <translation>ソリッドに沿う 12 枚のパネル：寸法を表計算シートで変えてみてください</translation>
     </message>
     <message>
         <source>Two circles: change their diameters in the sketch</source>
@@ -4933,6 +5289,10 @@
     <message>
         <source>Type = for an expression</source>
         <translation>= で式を入力</translation>
+    </message>
+    <message>
+        <source>Type two places for a cut, such as 10 0 50; 10 20 50, or choose a seam and type one.</source>
+        <translation>切るなら 2 つの位置を 10 0 50; 10 20 50 のように入力するか、継ぎ目を選んで位置を 1 つ入力します。</translation>
     </message>
     <message>
         <source>Undo (Ctrl+Z)</source>
@@ -4969,6 +5329,10 @@
     <message>
         <source>Volume</source>
         <translation>体積</translation>
+    </message>
+    <message>
+        <source>Volume of the body: {0}, the balloon has {1} of it</source>
+        <translation>立体の体積：{0}、風船の体積はその {1}</translation>
     </message>
     <message>
         <source>Warm air</source>
@@ -5037,6 +5401,14 @@
     <message>
         <source>Welded across, last</source>
         <translation>最後に横切って溶着</translation>
+    </message>
+    <message>
+        <source>Welding</source>
+        <translation>溶着</translation>
+    </message>
+    <message>
+        <source>Welding: {0}</source>
+        <translation>溶着：{0}</translation>
     </message>
     <message>
         <source>Welds easily with an impulse sealer or an iron. Yields at about 9 MPa, half its tensile strength, and creeps: keep the pressure low.</source>
@@ -5119,8 +5491,28 @@
         <translation>このコンピューターのフォントでは {0} を左から右へ 1 字ずつ描けません。文字から除くか、それのあるフォントを入れて起動し直してください。</translation>
     </message>
     <message>
+        <source>With {0} panels some would cross themselves when laid flat: the body has {1}.</source>
+        <translation>パネル {0} 枚では、平らに広げると自分と交わるものがあります。立体のパネルを {1} 枚にしました。</translation>
+    </message>
+    <message>
+        <source>With {0} to {1} panels some would cross themselves when laid flat: give more panels.</source>
+        <translation>パネル {0}～{1} 枚では、平らに広げると自分と交わるものがあります。パネルを増やしてください。</translation>
+    </message>
+    <message>
         <source>Within</source>
         <translation>許容範囲</translation>
+    </message>
+    <message>
+        <source>Without this seam panel {0} goes round the body and cannot be laid flat.</source>
+        <translation>この継ぎ目がないと、パネル {0} は立体を一周し、平らに広げられません。</translation>
+    </message>
+    <message>
+        <source>Work out how near balloons of 6 to 60 panels come to the body</source>
+        <translation>パネル 6～60 枚の風船が立体にどれだけ近づくかを計算する</translation>
+    </message>
+    <message>
+        <source>Wrinkles</source>
+        <translation>しわ</translation>
     </message>
     <message>
         <source>Write all results for ParaView (.vtu) or NumPy (.npz), or the shape alone (.stl)</source>
@@ -5141,6 +5533,10 @@
     <message>
         <source>Write {"a": ["top", 0, 1], "b": ["side", 3, 2]}.</source>
         <translation>{"a": ["top", 0, 1], "b": ["side", 3, 2]} と書いてください。</translation>
+    </message>
+    <message>
+        <source>Write {"do": "cut", "at": [[0, 0, 50], [100, 0, 20]]}.</source>
+        <translation>{"do": "cut", "at": [[0, 0, 50], [100, 0, 20]]} のように書いてください。</translation>
     </message>
     <message>
         <source>Write {"name": "top", "outer": [[0, 0], [300, 0], [150, 200]]}.</source>
@@ -5195,6 +5591,10 @@
         <translation>立体が自分自身か、存在しない立体でできている</translation>
     </message>
     <message>
+        <source>a body hangs together</source>
+        <translation>立体はひとつながりである</translation>
+    </message>
+    <message>
         <source>a coordinate is not a number</source>
         <translation>数ではない座標がある</translation>
     </message>
@@ -5205,6 +5605,10 @@
     <message>
         <source>a point is no three numbers.</source>
         <translation>3 つの数でない点があります。</translation>
+    </message>
+    <message>
+        <source>a sleeve has an end</source>
+        <translation>筒には端がある</translation>
     </message>
     <message>
         <source>a transform is not a number</source>
@@ -5235,6 +5639,10 @@
         <translation>1 分前から別の実行が書き込んでいます</translation>
     </message>
     <message>
+        <source>any accuracy</source>
+        <translation>精度の指定なし</translation>
+    </message>
+    <message>
         <source>apart {} in the mean, 95 % below {}, at most {}</source>
         <translation>隔たりは平均 {}、95 % が {} 以下、最大 {}</translation>
     </message>
@@ -5245,6 +5653,10 @@
     <message>
         <source>artwork.pdf was left out. {0}</source>
         <translation>artwork.pdf を省きました。{0}</translation>
+    </message>
+    <message>
+        <source>at most </source>
+        <translation>最大 </translation>
     </message>
     <message>
         <source>at most {} ({})</source>
@@ -5265,6 +5677,10 @@
     <message>
         <source>bed_mm is {0}: give [width, height], or null where there is no limit.</source>
         <translation>bed_mm が {0} です。[幅, 高さ] か、制限がなければ null にしてください。</translation>
+    </message>
+    <message>
+        <source>both lie on borders of one piece</source>
+        <translation>両方とも同じ部分の縁にある</translation>
     </message>
     <message>
         <source>choose Drawn as filled shape</source>
@@ -5323,6 +5739,10 @@
         <translation>取得中</translation>
     </message>
     <message>
+        <source>few panels</source>
+        <translation>少ないパネル</translation>
+    </message>
+    <message>
         <source>film</source>
         <translation>フィルム</translation>
     </message>
@@ -5363,6 +5783,10 @@
         <translation>ヘリウム</translation>
     </message>
     <message>
+        <source>hide {} of the film's width</source>
+        <translation>フィルムの幅の {} が隠れます</translation>
+    </message>
+    <message>
         <source>hint</source>
         <translation>ヒント</translation>
     </message>
@@ -5397,6 +5821,10 @@
     <message>
         <source>in the mean {} ({})</source>
         <translation>平均 {}（{}）</translation>
+    </message>
+    <message>
+        <source>in the mean {}, 95 % below {}, at most {}</source>
+        <translation>平均 {}、95 % が {} 以下、最大 {}</translation>
     </message>
     <message>
         <source>in {}</source>
@@ -5499,6 +5927,10 @@
         <translation>下</translation>
     </message>
     <message>
+        <source>making the document</source>
+        <translation>文書の作成</translation>
+    </message>
+    <message>
         <source>mass</source>
         <translation>質量</translation>
     </message>
@@ -5567,6 +5999,10 @@
         <translation>印刷用データを作成中</translation>
     </message>
     <message>
+        <source>reading the solid</source>
+        <translation>ソリッドの読み込み</translation>
+    </message>
+    <message>
         <source>right</source>
         <translation>右</translation>
     </message>
@@ -5605,6 +6041,10 @@
     <message>
         <source>stopped; {0}.</source>
         <translation>停止しました。{0}。</translation>
+    </message>
+    <message>
+        <source>strain {}</source>
+        <translation>ひずみ：{}</translation>
     </message>
     <message>
         <source>strength</source>
@@ -5707,6 +6147,10 @@
         <translation>試行 {0}、{1}</translation>
     </message>
     <message>
+        <source>true to shape</source>
+        <translation>形に忠実</translation>
+    </message>
+    <message>
         <source>unknown: this film has no strength</source>
         <translation>不明：このフィルムには強度の値がありません</translation>
     </message>
@@ -5799,6 +6243,10 @@
         <translation>{0} dpi ではきれいに印刷できません。{1}～{2} にしてください。</translation>
     </message>
     <message>
+        <source>{0} follows itself: choose something that is not made of it.</source>
+        <translation>{0} が自分自身に従っています。それから作られていないものを選んでください。</translation>
+    </message>
+    <message>
         <source>{0} gap between the lines closed, the widest {1} of the drawing's width.</source>
         <translation>線の間のすき間を {0} か所閉じました。最大で図の幅の {1} です。</translation>
     </message>
@@ -5809,6 +6257,10 @@
     <message>
         <source>{0} has a point that is no number or farther away than {1}. Check its coordinates and the unit.</source>
         <translation>{0} に数でない点か、{1} より遠い点があります。座標と単位を確かめてください。</translation>
+    </message>
+    <message>
+        <source>{0} has an error: repair it.</source>
+        <translation>{0} に誤りがあります。直してください。</translation>
     </message>
     <message>
         <source>{0} has fewer than three points. Give all of its corners.</source>
@@ -5887,8 +6339,8 @@
         <translation>{0} は穴の辺です。開口には外側の境界の辺を選んでください。</translation>
     </message>
     <message>
-        <source>{0} is curved both ways, so that its film folds. Give a number of panels, into which the body is divided.</source>
-        <translation>{0} は 2 方向に曲がっているため、フィルムに折れ目ができます。立体を分けるパネルの数を指定してください。</translation>
+        <source>{0} is curved both ways: it is cut into {1} strips.</source>
+        <translation>{0} は 2 方向に曲がっているため、{1} 本の帯に切り分けます。</translation>
     </message>
     <message>
         <source>{0} is damaged or incomplete ({1}). Install the workbench anew.</source>
@@ -5907,6 +6359,10 @@
         <translation>{0} は空です。閉じた線を描いてください。</translation>
     </message>
     <message>
+        <source>{0} is empty: draw a line in it.</source>
+        <translation>{0} が空です。その中に線を描いてください。</translation>
+    </message>
+    <message>
         <source>{0} is empty: draw half an outline in it, beside the vertical axis.</source>
         <translation>{0} は空です。縦の軸の横に輪郭の半分を描いてください。</translation>
     </message>
@@ -5923,8 +6379,16 @@
         <translation>{0} はどの継ぎ目にもありません。別の辺とつないでください。</translation>
     </message>
     <message>
+        <source>{0} is in the document {1}: copy it into {2} first.</source>
+        <translation>{0} は文書 {1} にあります。先に {2} へコピーしてください。</translation>
+    </message>
+    <message>
         <source>{0} is in two seams: take one of them away.</source>
         <translation>{0} は 2 つの継ぎ目にあります。どちらかを外してください。</translation>
+    </message>
+    <message>
+        <source>{0} is left out. {1}</source>
+        <translation>{0} は省かれました。{1}</translation>
     </message>
     <message>
         <source>{0} is neither DXF nor SVG: let the name end in .dxf or .svg.</source>
@@ -5933,6 +6397,10 @@
     <message>
         <source>{0} is neither VTU, NPZ nor STL: let the name end in .vtu, .npz or .stl.</source>
         <translation>{0} は VTU、NPZ、STL のどれでもありません。名前の末尾を .vtu、.npz、.stl にしてください。</translation>
+    </message>
+    <message>
+        <source>{0} is no body: give a solid, a mesh or the path of a file.</source>
+        <translation>{0} は立体ではありません。ソリッド、メッシュ、またはファイルのパスを渡してください。</translation>
     </message>
     <message>
         <source>{0} is not a coordinate</source>
@@ -5977,6 +6445,10 @@
     <message>
         <source>{0} is {1} long, {2} {3}: make them equally long.</source>
         <translation>{0} の長さは {1}、{2} は {3} です。同じ長さにしてください。</translation>
+    </message>
+    <message>
+        <source>{0} is {1} long. Scale it, so that it is between {2} and {3}.</source>
+        <translation>{0} の長さは {1} です。{2} から {3} の間になるように拡大・縮小してください。</translation>
     </message>
     <message>
         <source>{0} is {1}. Seal each edge once: side a goes along its loop from its first point to its second, b against it.</source>
@@ -6131,6 +6603,10 @@
         <translation>{0}{1} に長さがありません。点を 1 つ取り除いてください。</translation>
     </message>
     <message>
+        <source>{} ({})</source>
+        <translation>{}（{}）</translation>
+    </message>
+    <message>
         <source>{} MB from {}; the file is checked before it is used, and nothing is sent.</source>
         <translation>{1} から {0} MB を取得します。ファイルは使う前に確かめます。こちらから送るデータはありません。</translation>
     </message>
@@ -6145,6 +6621,14 @@
     <message>
         <source>{} gores, as many as {} of the profile's diagonal need</source>
         <translation>ゴア {0} 枚（断面の対角線の {1} に必要な数）</translation>
+    </message>
+    <message>
+        <source>{} in the mean, at most {}</source>
+        <translation>平均 {}、最大 {}</translation>
+    </message>
+    <message>
+        <source>{} inside</source>
+        <translation>内側 {}</translation>
     </message>
     <message>
         <source>{} is in the tree</source>
@@ -6175,8 +6659,24 @@
         <translation>{} の{}</translation>
     </message>
     <message>
+        <source>{} outside</source>
+        <translation>外側 {}</translation>
+    </message>
+    <message>
         <source>{} panels, {} of seams, {} inside</source>
         <translation>パネル {} 枚、継ぎ目 {}、内側 {}</translation>
+    </message>
+    <message>
+        <source>{} panels, {} seams of {}</source>
+        <translation>パネル {} 枚、継ぎ目 {} 本、全長 {}</translation>
+    </message>
+    <message>
+        <source>{} panels: about {} off, {} of seams, {} h of welding</source>
+        <translation>パネル {} 枚：ずれ約 {}、継ぎ目 {}、溶着 {} 時間</translation>
+    </message>
+    <message>
+        <source>{} to {}</source>
+        <translation>{}～{}</translation>
     </message>
     <message>
         <source>{} x {}, {} thick, {}</source>
