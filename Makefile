@@ -68,20 +68,21 @@ examples: native ## Make the example documents in resources/examples anew
 	@tools/in-window.sh build/examples tools/make_examples.py
 
 pictures: native ## Take the pictures of the tutorial anew, in docs/images
-	@BALLOON_TESTS="tests/gui/paint/test_paint.py tests/gui/paint/test_paint_fish.py tests/gui/commands/test_examples.py" tools/test.sh gui
+	@BALLOON_TESTS="tests/gui/paint/test_paint.py tests/gui/paint/test_paint_fish.py tests/gui/commands/test_examples.py tests/gui/many_panels/test_tutorial_bodies.py" tools/test.sh gui
 	@cp build/pictures/tutorial-*.png docs/images
 
 # Files, outlines, options, kills: as many as it takes a night to try. The last lines put faults into the engine.
-fuzz: native readers ## Inflate 2 000 outlines and 300 bags, read 10 000 broken files, kill writers everywhere, inject 200 faults
+fuzz: native readers ## Inflate 2 000 outlines and 300 bags, read 10 000 broken files and 300 meshes, kill writers everywhere, inject 200 faults
 	@BALLOON_OUTLINES=2000 BALLOON_FILES=10000 BALLOON_VALUES=1000 BALLOON_KILLS=100000 BALLOON_CUTS=300 \
 	    BALLOON_COACHED=300 BALLOON_INTAKES=24 BALLOON_LAYER_SHAPES=40 BALLOON_DRAFTS=25 \
-	    BALLOON_TRIANGULATED=1500 BALLOON_BAGS=300 \
+	    BALLOON_TRIANGULATED=1500 BALLOON_BAGS=300 BALLOON_MESHES=300 BALLOON_HUGE_MESHES=12 BALLOON_VARIANTS=21 \
 	    BALLOON_WORD_SIZES="3mm 30mm 5m 30m" BALLOON_WORD_SHAPES="star fish heart" \
 	    $(PYTHON) -m pytest -q -o faulthandler_timeout=0 --log-cli-level=INFO \
 	    tests/core/outline/test_random_outlines.py tests/core/readers/test_broken_files.py tests/core/test_value_limits.py \
 	    tests/core/files/test_interrupted_writing.py tests/core/machines/test_export_cuts.py tests/core/advice/test_coach_shapes.py tests/core/advice/test_coach_study.py \
 	    tests/core/pattern/intake/test_intake_places.py tests/core/results/test_layers.py tests/core/design/test_draft.py tests/core/test_words.py tests/core/mesh/test_mesh_delaunay.py \
-	    tests/core/bags/test_random_bags.py
+	    tests/core/bags/test_random_bags.py tests/core/bag_design/test_band_smooth.py \
+	    tests/core/targets/test_broken_mesh_files.py tests/core/segmentation/test_divide_steady.py
 	@BALLOON_ARRANGE_STORIES=200 BALLOON_TESTS="tests/app/document/test_arrange.py -k story" tools/test.sh app
 	@BALLOON_FAULTS=200 BALLOON_TESTS=tests/app/border/test_faults.py tools/test.sh app
 	@BALLOON_FAULTS=200 BALLOON_TESTS=tests/gui/test_faults.py tools/test.sh gui

@@ -41,7 +41,7 @@ def main() -> int:
         panels.panels,
         bags.bags,
         gores.gores,
-        targets.targets,
+        lambda: targets.targets(DOCS / "images"),
         plates.hencky,
         plates.bending,
         plates.wrinkled_beam,

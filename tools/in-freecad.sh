@@ -19,4 +19,6 @@ ln -sfn "$site" "$user/AdditionalPythonPackages"
 export FREECAD_USER_HOME=$user HOME=$user/home
 export QTWEBENGINE_DISABLE_SANDBOX=1 # FreeCAD's start page would end the program when root starts it
 [ -n "${XDG_RUNTIME_DIR:-}" ] || export XDG_RUNTIME_DIR=$user/run
+# one thread of linear algebra, so that the last bits do not depend on the machine's processors
+export OPENBLAS_NUM_THREADS=1
 exec "$@"

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# lanes.sh <LIST   runs the commands of a list, two at a time and in its order; lines of NAME SECONDS COMMAND...
+# lanes.sh <LIST   runs the commands of a list in its order, one more at a time than there are processors: those with a
+# window wait for a third of their time. Lines of NAME SECONDS COMMAND...
 # A command that takes longer than its seconds is ended. Each leaves build/logs/NAME.log. All are run, also after
 # one has failed; what failed is told at the end, and fails this.
 set -uo pipefail
@@ -29,8 +30,9 @@ run() {
 }
 
 running=0
+most=$(($(nproc) + 1))
 while read -r name limit command; do
-    if [ "$running" -eq 2 ]; then
+    if [ "$running" -ge "$most" ]; then
         wait -n
         running=$((running - 1))
     fi

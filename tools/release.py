@@ -35,7 +35,14 @@ PARTS = (
         "LICENSE-ARTWORK",
         "LICENSE-THIRD-PARTY",
         *("README.md", "CHANGELOG.md", "SECURITY.md", "ARCHITECTURE.md", "CONTRIBUTING.md"),
-        *("docs/install.md", "docs/tutorial.md", "docs/freecad.md", "docs/command-line.md", "docs/api.md"),
+        *(
+            "docs/install.md",
+            "docs/tutorial.md",
+            "docs/tutorial-bodies.md",
+            "docs/freecad.md",
+            "docs/command-line.md",
+            "docs/api.md",
+        ),
         *("docs/help", "docs/images/fish.png", "docs/images/tutorial-*.png"),
     ),
 )

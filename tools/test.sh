@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # test.sh STEP...   steps: lint core app gui; engine: the part of core that other versions are tried with;
 # users: plays users on screens of SCREENS with THEMES, and leaves their pictures in build/users
-# Runs every step, also after one has failed. Each leaves build/logs/STEP.log, with SUITE after its name if set.
+# Runs every step, also after one has failed: lint alone, the others beside the last one. Each leaves
+# build/logs/STEP.log, with SUITE after its name if set.
 set -uo pipefail
 cd "$(dirname "$(realpath "$0")")/.." || exit 1
 logs=build/logs
@@ -37,15 +38,25 @@ engine() {
     BALLOON_TESTS=${BALLOON_TESTS:-$(grep -v '^#' tools/engine-tests.txt | paste -sd' ')} core
 }
 
+# The tests of a step: those of BALLOON_TESTS; or of its list, with a FreeCAD that has one; or all.
+tests_of() {
+    local list=tools/$1-tests${SUITE:-}.txt
+    if [ -n "${BALLOON_TESTS:-}" ]; then
+        echo "$BALLOON_TESTS"
+    elif [ -e "$list" ]; then
+        grep -v '^#' "$list" | paste -sd' '
+    else
+        echo "tests/$1"
+    fi
+}
+
 app() {
-    timeout --kill-after=30 1200 tools/in-freecad.sh "$scratch/app" freecadcmd tests/freecad_pytest.py
+    BALLOON_TESTS=$(tests_of app) timeout --kill-after=30 1800 \
+        tools/in-freecad.sh "$scratch/app" freecadcmd tests/freecad_pytest.py
 }
 
 gui() {
-    # FreeCAD 1.0 tries a part: those of its list
-    local list=tools/gui-tests${SUITE:-}.txt tests=${BALLOON_TESTS:-}
-    [ -n "$tests" ] || [ ! -e "$list" ] || tests=$(grep -v '^#' "$list" | paste -sd' ')
-    BALLOON_TESTS=${tests:-tests/gui} tools/in-window.sh "$scratch/gui" tests/freecad_pytest.py
+    BALLOON_TESTS=$(tests_of gui) tools/in-window.sh "$scratch/gui" tests/freecad_pytest.py
 }
 
 users() {
@@ -89,23 +100,25 @@ check() {
 }
 
 result=0
-beside=
+declare -A beside=()
 for step in "$@"; do
-    if [ "$step" = core ] && [ "$step" != "${!#}" ]; then
-        # beside the steps after it, which keep one processor busy
-        echo "== core, beside the next: see $logs/core${SUITE:-}.log"
-        check core >/dev/null &
-        beside=$!
-    else
+    if [ "$step" = lint ] || [ "$step" = "${!#}" ]; then
         echo "== $step"
         check "$step" || result=1
+    else
+        # a window waits for a third of its time
+        echo "== $step, beside the last: see $logs/$step${SUITE:-}.log"
+        check "$step" >/dev/null &
+        beside[$step]=$!
     fi
 done
-if [ -n "$beside" ]; then
-    wait "$beside" || result=1
-    echo "== core"
-    tail -n 60 "$logs/core${SUITE:-}.log"
-fi
+for step in "$@"; do
+    [ -n "${beside[$step]:-}" ] || continue
+    wait "${beside[$step]}" && continue
+    result=1
+    echo "== $step"
+    tail -n 60 "$logs/$step${SUITE:-}.log"
+done
 
 echo "== summary (logs in $logs)"
 for step in "$@"; do cat "$scratch/$step.summary"; done

@@ -112,3 +112,26 @@ def advice(named: Sequence[tuple[str, Outline, Advice]], path: Path) -> None:
                 axes.plot(*line.T, color=colour, linewidth=1.4)
         axes.set_title(title, fontsize=8)
     _save(figure, path)
+
+
+def bodies(named: Sequence[tuple[str, Sequence[tuple[Floats, Any, Floats]]]], path: Path) -> None:
+    """Bodies in columns, one balloon below the other: points (n, 3), triangles, distances [%], as colours."""
+    from matplotlib import pyplot
+    from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+
+    figure = pyplot.figure(figsize=(2.1 * len(named), 4.6))
+    for column, (name, balloons) in enumerate(named):
+        most = max(float(np.quantile(np.abs(off), 0.95)) for _, _, off in balloons)
+        for row, (points, triangles, off) in enumerate(balloons):
+            axes: Any = figure.add_subplot(2, len(named), row * len(named) + column + 1, projection="3d")
+            shown = Poly3DCollection(points[triangles], rasterized=True)
+            shown.set_facecolor(mpl.colormaps["coolwarm"](0.5 + 0.5 * off[triangles].mean(axis=1) / most))
+            axes.add_collection3d(shown)
+            low, high = points.min(axis=0), points.max(axis=0)
+            axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
+            axes.set_box_aspect(high - low, zoom=1.25)
+            axes.set_axis_off()
+            if row == 0:
+                axes.set_title(f"{name}, ±{most:.2g} %", fontsize=8)
+    figure.savefig(path, dpi=56, metadata={"Software": None}, bbox_inches="tight")
+    pyplot.close(figure)
