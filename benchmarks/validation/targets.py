@@ -15,7 +15,7 @@ from validation.report import Row, Section, paragraphs, section, table
 
 from BalloonWorkbench.core.bag_design.bag_design import BagDesign
 from BalloonWorkbench.core.film.library import film
-from BalloonWorkbench.core.segmentation.divide import divide
+from BalloonWorkbench.core.flattening.divide_flat import divide_flat
 from BalloonWorkbench.core.target_design.fit_target import fit_target, inflate_target
 from BalloonWorkbench.core.target_design.off_target import TargetSurface
 from BalloonWorkbench.core.targets.read_target import read_target
@@ -75,7 +75,7 @@ def targets(images: Path) -> Section:
     for name, make, counts in _BODIES:
         target = make()
         for count in counts:
-            division = divide(target, count)
+            division = divide_flat(target, count)
             plain, design, line = _line(name, division)
             lines.append(line)
             if _SHOWN.get(name) == count:

@@ -29,7 +29,7 @@ from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.window.sentences import translated
 from BalloonWorkbench.gui.window.user_units import length_text
 
-_HIGHEST = 140  # px of the list
+_HIGHEST = 1_000_000  # px: the panel scrolls, not what is in it
 
 
 class BodySeams(QtWidgets.QWidget):
@@ -54,15 +54,16 @@ class BodySeams(QtWidgets.QWidget):
             SeamTool.CUT: (translate("Cut"), translate("Click two places: a seam runs between them")),
             SeamTool.MOVE: (translate("Move"), translate("Drag a seam: it runs through the place")),
         }
-        row = QtWidgets.QHBoxLayout()
-        for tool, button in self.tools.items():
+        tools = QtWidgets.QGridLayout()
+        for number, (tool, button) in enumerate(self.tools.items()):
             button.setObjectName(f"Seam{tool.name.title()}")
             button.setText(texts[tool][0])
             button.setToolTip(texts[tool][1])
             button.setCheckable(True)
             button.setSizePolicy(QtWidgets.QSizePolicy.Expanding, QtWidgets.QSizePolicy.Fixed)
             button.clicked.connect(partial(self.take, tool))
-            row.addWidget(button)
+            tools.addWidget(button, *divmod(number, 2))
+        tools.addWidget(self.back, 1, 1)
         self.mirrored.setObjectName("SeamMirrored")
         self.mirrored.setChecked(True)
         self.mirrored.setToolTip(
@@ -78,8 +79,8 @@ class BodySeams(QtWidgets.QWidget):
         self.back.setToolTip(translate("Take the last change of a seam back (Ctrl+Z in the 3D view)"))
         column = QtWidgets.QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
-        column.addLayout(row)
-        for widget in (self.hint, self.mirrored, self.list, self.places, self.back):
+        column.addLayout(tools)
+        for widget in (self.hint, self.mirrored, self.places, self.list):
             column.addWidget(widget)
         self.list.currentRowChanged.connect(self._chosen)
         self.list.deleted.connect(self.merge)
