@@ -242,10 +242,16 @@ def show(widget):
     """Turn to the page of a widget in the balloon's panel, and scroll to it."""
     if not widget.isVisible():
         hands.show_tab(widget)
+    hands.wait_until(partial(_scrolled_to, widget), 20)  # what is above may still grow
+
+
+def _scrolled_to(widget):
+    """Whether a widget can be seen after its area was scrolled to it, and a moment had passed."""
     for area in hands.visible(QtWidgets.QScrollArea):
         if area.isAncestorOf(widget):
             area.ensureWidgetVisible(widget)
-    hands.wait(0.05)
+    hands.wait(0.1)
+    return not widget.visibleRegion().isEmpty()
 
 
 def on_paper(canvas, place):

@@ -169,9 +169,8 @@ def test_a_cover(example):
         hands.wait_until(hands.panel_is_seen)
         hands.type_into(hands.find("Margin"), "5 mm")
         hands.choose(hands.find("Lies"), "Encloses it")
-        hands.wait(0.6)
+        hands.wait_until(lambda: example.Balloon.Volume.Value > 1.1 * example.Target.BodyVolume.Value, 240)
         hands.wait_until(solved(example), 240)
         example.Housing.ViewObject.Visibility = True
         seen("tutorial-body-cover")
         hands.leave()
-    assert example.Balloon.Volume.Value > 1.1 * example.Target.BodyVolume.Value
