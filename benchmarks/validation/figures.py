@@ -132,6 +132,6 @@ def bodies(named: Sequence[tuple[str, Sequence[tuple[Floats, Any, Floats]]]], pa
             axes.set_box_aspect(high - low, zoom=1.25)
             axes.set_axis_off()
             if row == 0:
-                axes.set_title(f"{name}, ±{most:.2g} %", fontsize=8)
+                axes.set_title(f"{name}\n±{most:.2g} %", fontsize=8)
     figure.savefig(path, dpi=56, metadata={"Software": None}, bbox_inches="tight")
     pyplot.close(figure)

@@ -4119,6 +4119,10 @@
         <translation>Der Körper hat keine Symmetrieebene.</translation>
     </message>
     <message>
+        <source>The body has no seam. Draw seams, or take 2 panels or more.</source>
+        <translation>Der Körper hat keine Naht. Nähte zeichnen oder mindestens 2 Bahnen nehmen.</translation>
+    </message>
+    <message>
         <source>The body has no seam. Draw seams, or take 2 panels or more.{0}</source>
         <translation>Der Körper hat keine Naht. Nähte zeichnen oder mindestens 2 Bahnen nehmen.{0}</translation>
     </message>

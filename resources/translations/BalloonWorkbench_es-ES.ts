@@ -4119,6 +4119,10 @@
         <translation>El cuerpo no tiene ningún plano de simetría.</translation>
     </message>
     <message>
+        <source>The body has no seam. Draw seams, or take 2 panels or more.</source>
+        <translation>El cuerpo no tiene costuras. Dibuje costuras, o tome 2 paneles o más.</translation>
+    </message>
+    <message>
         <source>The body has no seam. Draw seams, or take 2 panels or more.{0}</source>
         <translation>El cuerpo no tiene costuras. Dibuje costuras, o tome 2 paneles o más.{0}</translation>
     </message>

@@ -4119,6 +4119,10 @@
         <translation>Le corps n'a pas de plan de symétrie.</translation>
     </message>
     <message>
+        <source>The body has no seam. Draw seams, or take 2 panels or more.</source>
+        <translation>Le corps n'a pas de couture. Dessinez des coutures, ou prenez au moins 2 panneaux.</translation>
+    </message>
+    <message>
         <source>The body has no seam. Draw seams, or take 2 panels or more.{0}</source>
         <translation>Le corps n'a pas de couture. Dessinez des coutures, ou prenez au moins 2 panneaux.{0}</translation>
     </message>

@@ -4119,6 +4119,10 @@
         <translation>立体に対称面がありません。</translation>
     </message>
     <message>
+        <source>The body has no seam. Draw seams, or take 2 panels or more.</source>
+        <translation>立体に継ぎ目がありません。継ぎ目を描くか、パネルを 2 枚以上にしてください。</translation>
+    </message>
+    <message>
         <source>The body has no seam. Draw seams, or take 2 panels or more.{0}</source>
         <translation>立体に継ぎ目がありません。継ぎ目を描くか、パネルを 2 枚以上にしてください。{0}</translation>
     </message>

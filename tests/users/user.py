@@ -41,9 +41,11 @@ class User:
 
     def click(self, what, button=LEFT, times=1):
         """Click into the middle of a widget, or at a place."""
-        place = what if isinstance(what, QtCore.QPoint) else middle(what)
-        self.go(place - QtCore.QPoint(1, 1))
-        self.go(place)
+        if isinstance(what, QtCore.QPoint):
+            self.go(what - QtCore.QPoint(1, 1))
+            self.go(what)
+        else:
+            hands.wait_until(partial(self._is_over, what), 20)
         for _ in range(times):
             self.pointer.press(button)
             self.pointer.release(button)
@@ -71,6 +73,16 @@ class User:
             self.pointer.press(WHEEL_UP if notches > 0 else WHEEL_DOWN)
             self.pointer.release(WHEEL_UP if notches > 0 else WHEEL_DOWN)
             hands.wait(0.05)
+
+    def _is_over(self, widget):
+        """Whether the pointer is where a widget stays: what lies above it in its panel may still grow."""
+        if not _scrolled_to(widget):
+            return False
+        place = middle(widget)
+        self._move(place - QtCore.QPoint(1, 1))
+        self._move(place)
+        hands.wait(0.05)
+        return (QtGui.QCursor.pos() - place).manhattanLength() <= 1 and middle(widget) == place
 
     def _move(self, place):
         ratio = QtWidgets.QApplication.primaryScreen().devicePixelRatio()
