@@ -41,11 +41,9 @@ class User:
 
     def click(self, what, button=LEFT, times=1):
         """Click into the middle of a widget, or at a place."""
-        if isinstance(what, QtCore.QPoint):
-            self.go(what - QtCore.QPoint(1, 1))
-            self.go(what)
-        else:
-            hands.wait_until(partial(self._is_over, what), 20)
+        place = what if isinstance(what, QtCore.QPoint) else middle(what)
+        self.go(place - QtCore.QPoint(1, 1))
+        self.go(place)
         for _ in range(times):
             self.pointer.press(button)
             self.pointer.release(button)
@@ -73,16 +71,6 @@ class User:
             self.pointer.press(WHEEL_UP if notches > 0 else WHEEL_DOWN)
             self.pointer.release(WHEEL_UP if notches > 0 else WHEEL_DOWN)
             hands.wait(0.05)
-
-    def _is_over(self, widget):
-        """Whether the pointer is where a widget stays: what lies above it in its panel may still grow."""
-        if not _scrolled_to(widget):
-            return False
-        place = middle(widget)
-        self._move(place - QtCore.QPoint(1, 1))
-        self._move(place)
-        hands.wait(0.05)
-        return (QtGui.QCursor.pos() - place).manhattanLength() <= 1 and middle(widget) == place
 
     def _move(self, place):
         ratio = QtWidgets.QApplication.primaryScreen().devicePixelRatio()
@@ -254,16 +242,10 @@ def show(widget):
     """Turn to the page of a widget in the balloon's panel, and scroll to it."""
     if not widget.isVisible():
         hands.show_tab(widget)
-    hands.wait_until(partial(_scrolled_to, widget), 20)  # what is above may still grow
-
-
-def _scrolled_to(widget):
-    """Whether a widget can be seen after its area was scrolled to it, and a moment had passed."""
     for area in hands.visible(QtWidgets.QScrollArea):
         if area.isAncestorOf(widget):
             area.ensureWidgetVisible(widget)
-    hands.wait(0.1)
-    return not widget.visibleRegion().isEmpty()
+    hands.wait(0.05)
 
 
 def on_paper(canvas, place):

@@ -1,17 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""From a solid with fillets to a file of its panels laid out on film, with the mouse of the X server."""
-
-import sys
-from pathlib import Path
+"""From a solid with fillets to a file of its panels laid out on film, with the mouse."""
 
 import FreeCADGui as Gui
 import hands
 import pytest
 import view_port
-
-sys.path.append(str(Path(__file__).resolve().parents[2] / "users"))
-
-from user import User
 
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document import kinds
@@ -21,30 +14,47 @@ from BalloonWorkbench.core.target_design import fit_target
 _ANSWER = 240  # s, of one processor that has nothing else to do
 
 
-class Counting(User):
-    """Counts the clicks; the keyboard is not touched."""
+class Clicks:
+    """Clicks of the left button, counted; the keyboard is not touched."""
 
     def __init__(self):
-        super().__init__()
-        self.clicks = 0
+        self.count = 0
 
-    def click(self, what, *more, **options):
-        self.clicks += 1
-        super().click(what, *more, **options)
+    def model(self, point):
+        """On a point of the model (3,) mm."""
+        area = view_port.view_area()  # kept: its view port goes with what Python knows of it
+        port = area.viewport()
+        self.count += 1
+        view_port.click(port, view_port.pixel(port, point))
+
+    def command(self, name):
+        """On the button of a command in the tool bar."""
+        buttons = [
+            bar.widgetForAction(action)
+            for bar in hands.visible(hands.QtWidgets.QToolBar)
+            for action in bar.actions()
+            if action.objectName() == name
+        ]
+        (button,) = [each for each in buttons if not each.visibleRegion().isEmpty()]
+        hands.wait_until(button.isEnabled, 10)
+        self._on(button)
+
+    def button(self, name):
+        self._on(hands.find(name))
 
     def panel(self, name):
-        rows = hands.panel_buttons()  # kept: its buttons go with what Python knows of it
-        self.click(rows[0].button(getattr(hands.QtWidgets.QDialogButtonBox, name)))
+        """On a button of the open panel's row."""
+        self.count += 1
+        hands.press(name)
 
-    def key(self, *names):
-        raise AssertionError(f"a key was pressed: {names}")
+    def _on(self, widget):
+        self.count += 1
+        hands.click(widget)
 
 
 @pytest.fixture
-def user():
-    hand = Counting()
-    yield hand
-    hand.close()
+def clicks():
+    return Clicks()
 
 
 @pytest.fixture(autouse=True)
@@ -83,33 +93,30 @@ def is_shown(name):
     return any(widget.objectName() == name for widget in hands.visible(hands.QtWidgets.QWidget))
 
 
-def test_a_solid_is_on_film_in_ten_clicks(solid, user, tmp_path):
+def test_a_solid_is_on_film_in_ten_clicks(solid, clicks, tmp_path):
     doc = solid.Document
     preferences.put_export_folder(doc, tmp_path)
-    area = view_port.view_area()
-    port = area.viewport()
-    at = view_port.pixel(port, solid.Shape.BoundBox.Center)
-    user.click(port.mapToGlobal(hands.QtCore.QPoint(*map(round, at))))
+    clicks.model(solid.Shape.BoundBox.Center)
     hands.wait_until(lambda: Gui.Selection.getSelection() == [solid], 10)
-    user.command("BalloonWorkbench_FromBody")
+    clicks.command("BalloonWorkbench_FromBody")
     hands.wait_until(lambda: status.is_ready(doc.Pattern), _ANSWER)
     hands.wait(1.0)
     hands.screenshot("ten-clicks-balloon")
-    user.button("GoNest")
+    clicks.button("GoNest")
     hands.wait_until(lambda: any(kinds.is_film_sheet(obj) for obj in doc.Objects), _ANSWER)
     hands.wait_until(lambda: is_shown("NestPanel"), 60)
     hands.wait(1.0)  # the panel before it goes
-    user.panel("Ok")
+    clicks.panel("Ok")
     hands.wait_until(hands.panel_is_closed, _ANSWER)
     hands.wait(0.5)
-    user.command("BalloonWorkbench_ExportPattern")
+    clicks.command("BalloonWorkbench_ExportPattern")
     hands.wait_until(hands.panel_is_seen, 60)
     hands.screenshot("ten-clicks-export")
-    user.panel("Ok")
+    clicks.panel("Ok")
     hands.wait_until(hands.panel_is_closed, 60)
     written = list(tmp_path.glob("*.dxf"))
     assert len(written) == 1
-    assert user.clicks <= 10
+    assert clicks.count <= 10
 
     # a dimension of the solid: body, balloon, pattern and sheet follow
     sheet, pattern = sheet_of(doc), doc.Pattern
