@@ -42,7 +42,7 @@ def test_its_solid_is_deleted(amid):
     if hands.panel_is_open():
         hands.press("Ok")
         hands.wait(1.0)
-        assert hands.panel_is_closed() or "Choose a solid" in hands.message()
+    assert hands.panel_is_closed() or "Choose a solid" in hands.message()
 
 
 def test_its_solid_changes(amid):
