@@ -96,6 +96,7 @@ check() {
     counts=$(grep -aoE '[0-9]+ (passed|failed|skipped|errors?)\b.* in [0-9.]+s' "$log" | paste -sd';')
     [ "$status" -eq 0 ] || word="FAILED ($status)"
     printf '%-5s %-12s %4d s  %s\n' "$step" "$word" $((SECONDS - started)) "$counts" >"$scratch/$step.summary"
+    grep -aE '^(FAILED|ERROR) ' "$log" | cut -c -300 | sed 's/^/  /' >>"$scratch/$step.summary"
     return "$status"
 }
 
