@@ -29,7 +29,7 @@ def parts(doc):
 
 
 def has_triangles_of(doc):
-    """Whether this is the FreeCAD that saved it: the OpenCASCADE of another cuts a solid into other triangles."""
+    """Whether this is the FreeCAD that saved it: another one may cut a solid into other triangles."""
     return doc.getProgramVersion().startswith(".".join(App.Version()[:2]))
 
 
