@@ -5,10 +5,8 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Callable, Sequence
-from typing import TypeVar
+from typing import TYPE_CHECKING
 
-from BalloonWorkbench.core.bag_job import FinishedBags
-from BalloonWorkbench.core.bags.bag import Bag
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.job import Balloon
 from BalloonWorkbench.core.machines.bed import SCALE, fits, scale_to_fit
@@ -17,8 +15,10 @@ from BalloonWorkbench.core.options.making import REFUSE
 from BalloonWorkbench.core.pattern.pattern import Pattern
 from BalloonWorkbench.core.units import length_text
 
+if TYPE_CHECKING:
+    from BalloonWorkbench.core.bag_job import FinishedBags
+
 Size = tuple[float | None, float | None]
-Made = TypeVar("Made", bound=Balloon | FinishedBags)
 
 
 def machines_of(options: argparse.Namespace) -> list[Machine]:
@@ -35,8 +35,11 @@ def machines_of(options: argparse.Namespace) -> list[Machine]:
 
 
 def scaled_to_fit(
-    first: Made, machines: Sequence[Machine], size: Size, design: Callable[[Size, float], Made]
-) -> tuple[Made, Size, list[str]]:
+    first: Balloon | FinishedBags,
+    machines: Sequence[Machine],
+    size: Size,
+    design: Callable[[Size, float], Balloon | FinishedBags],
+) -> tuple[Balloon | FinishedBags, Size, list[str]]:
     """A balloon that fits the beds, the size of its drawing, and a line for the user where it is smaller.
 
     size, design  width and height that were asked for, and what makes a balloon of others, so many times as
@@ -57,7 +60,10 @@ def scaled_to_fit(
     if scale == 1.0:
         return first, size, []
     before, after = (length_text(each.width) for each in (first, balloon))
-    if isinstance(balloon.sources[0] if isinstance(balloon, FinishedBags) else None, Bag):
+    from BalloonWorkbench.core.bag_job import FinishedBags
+    from BalloonWorkbench.core.bags.bag import Bag
+
+    if isinstance(balloon, FinishedBags) and isinstance(balloon.sources[0], Bag):
         return balloon, used, [f"Scaled to fit: the balloon is {after} wide instead of {before}."]
     return balloon, used, [f"Scaled to fit: the drawing is {after} wide instead of {before}."]
 

@@ -12,16 +12,15 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from BalloonWorkbench.cli import bed, console, making, many_panels
 from BalloonWorkbench.cli import document as cli_document
+from BalloonWorkbench.cli.freecad_process import FreecadProcess
 from BalloonWorkbench.cli.home import home
 from BalloonWorkbench.cli.options import FETCH, language_of, parser, typed
-from BalloonWorkbench.cli.solid import solid_reader
 from BalloonWorkbench.cli.summary import bag_summary, summary
-from BalloonWorkbench.core.bag_design.source import PANELS, Readers, form_of
-from BalloonWorkbench.core.bag_job import FinishedBags, bag_makers, has_many_panels, make_bags
+from BalloonWorkbench.core.bag_design.form import PANELS, form_of, has_many_panels
 from BalloonWorkbench.core.design.size_goal import SizeGoal
 from BalloonWorkbench.core.errors import (
     BalloonError,
@@ -51,14 +50,17 @@ from BalloonWorkbench.core.machines.machine_file import checked_files, machines_
 from BalloonWorkbench.core.options.body import BandOptions, BodyOptions, TargetOptions
 from BalloonWorkbench.core.options.drawing import FillingOptions, ReadingOptions
 from BalloonWorkbench.core.options.film import DEFAULT_FILM
-from BalloonWorkbench.core.options.making import WeldingOptions
+from BalloonWorkbench.core.options.making import WeldingOptions, is_wanted
 from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.options.simulation import InflationOptions, ModelOptions
 from BalloonWorkbench.core.solver.model import Model
-from BalloonWorkbench.core.solver.native import load, native_wheel
+from BalloonWorkbench.core.solver.native import load
 from BalloonWorkbench.core.tracing.raster import opencv
 from BalloonWorkbench.core.types import Made, Progress, Say, in_english
 from BalloonWorkbench.core.units import number_text
+
+if TYPE_CHECKING:  # what few commands need is loaded by them
+    from BalloonWorkbench.core.bag_job import FinishedBags
 
 FAULT, INTERRUPTED = 70, 130
 
@@ -98,6 +100,7 @@ class _Run:
         self.say: Say = in_english
         self._paths: tuple[Path, ...] = ()
         self._left_out: list[str] = []
+        self._many = False  # panels, not two equal ones
         self._fault: ProgramFault | None = None
 
     def complain(self, text: object) -> None:
@@ -106,6 +109,26 @@ class _Run:
 
     def _progress(self, line: console.StatusLine) -> Progress:
         return lambda fraction, text: line.show(fraction, self.say(text))
+
+    def _file_of(self, path: str, balloon: Any) -> contextlib.AbstractContextManager[str]:
+        """The file that the document is made of."""
+        return many_panels.file_of(path, balloon) if self._many else contextlib.nullcontext(path)
+
+    def _document(
+        self, options: argparse.Namespace, file: str, balloon: Balloon | FinishedBags, size: bed.Size
+    ) -> contextlib.AbstractContextManager[FreecadProcess | None]:
+        """The document, begun; None where it is not wanted."""
+        if not is_wanted(cli_document.NAME, options.only):
+            return contextlib.nullcontext()
+        return cli_document.document(file, balloon.settings, balloon.designs, *size)
+
+    def _makers(self, balloon: Any, results: str | None) -> dict[str, Callable[[], bytes]]:
+        """What makes the files of a balloon."""
+        if not self._many:
+            return makers(balloon, results)
+        from BalloonWorkbench.core.bag_job import bag_makers
+
+        return bag_makers(balloon, results)
 
     def outcome(self) -> str:
         """Whether files were written, as the end of a sentence."""
@@ -120,22 +143,26 @@ class _Run:
         for name in (options.input, options.artwork, options.artwork_back, *options.machine):
             _refuse_streams(name)
         # a mistake shows before the work
-        many = has_many_panels(settings, options.input)
+        many = self._many = has_many_panels(options.input, settings.body, settings.side_band)
         if many:
             many_panels.check(options)
         chosen, doubts = machines_for(settings.film, bed.machines_of(options))
         make = making.checked(options, _decode(), self.say)
         check_folder(options.out)
+        load.use_threads(options.threads)
         line = console.StatusLine(sys.stderr)
         progress = self._progress(line)
 
         def design(size: bed.Size, scale: float = 1.0) -> Balloon | FinishedBags:
             known: dict[str, Any] = {"progress": progress, "attempt": self._attempt, **_readers(many)}
+            if not many:
+                return make_balloon(options.input, settings, width=size[0], height=size[1], **known)
+            from BalloonWorkbench.core.bag_job import make_bags
+
             if form_of(options.input) == PANELS:  # it has its own size; another one is refused
                 asked = {"width": options.width, "height": options.height}
                 return make_bags(options.input, settings, scale=scale, **asked, **known)
-            making_of = make_bags if many else make_balloon
-            return making_of(options.input, settings, width=size[0], height=size[1], **known)
+            return make_bags(options.input, settings, width=size[0], height=size[1], **known)
 
         smaller: list[str] = []
         try:
@@ -147,8 +174,8 @@ class _Run:
             if settings.goal is not None:
                 width = balloon.width
             with (
-                many_panels.file_of(options.input, balloon) as file,
-                cli_document.document(file, settings, balloon.designs, width, height) as document,
+                self._file_of(options.input, balloon) as file,
+                self._document(options, file, balloon, (width, height)) as document,
             ):
                 contents, lines = self._contents(balloon, chosen, options, make, progress)
                 made = document and self._attempt(cli_document.NAME, document.content)
@@ -156,7 +183,7 @@ class _Run:
                 contents[cli_document.NAME] = made
         finally:
             line.clear()
-        if balloon.report:
+        if balloon.report and is_wanted("report.json", options.only):
             report = self._attempt("report.json", lambda: report_bytes(balloon.report, self._left_out))
             contents |= {} if report is None else {"report.json": report}
         if not contents:
@@ -177,9 +204,9 @@ class _Run:
         """Contents of the files that can be made, by name, and lines for the user."""
         progress(1.0, "writing files")
         contents: dict[str, bytes] = {}
-        pattern_makers = self._attempt("The file of the pattern", lambda: _makers(balloon, options.results))
+        pattern_makers = self._attempt("The file of the pattern", lambda: self._makers(balloon, options.results))
         for name, maker in (pattern_makers or {}).items():
-            content = self._attempt(name, maker)
+            content = self._attempt(name, maker) if is_wanted(name, options.only) else None
             if content is not None:
                 contents[name] = content
         if options.frames is not None:
@@ -232,6 +259,8 @@ class _Run:
         """Fetch the native solver, telling before from where and where to; the exit code."""
         if load.problem_with_library() is None:
             return self._show("The native solver is here already.")
+        from BalloonWorkbench.core.solver.native import native_wheel
+
         wheel = native_wheel.wheel()
         failure = self._show(
             f"Fetching {wheel.address} ({number_text(wheel.size / 1e6, 2)} MB) "
@@ -244,6 +273,14 @@ class _Run:
             line.clear()
         return failure or self._show("The native solver is in use now.")
 
+    def _slow_notes(self) -> list[str]:
+        """Sentences where the native solver is not in use."""
+        if load.problem_with_library() is None:
+            return []
+        from BalloonWorkbench.core.solver.native import native_wheel
+
+        return native_wheel.slow_notes()
+
     def _show(self, text: str) -> int:
         """Show a line; the exit code."""
         return 0 if console.show(f"{self.say(text)}\n") is None else console.UNSHOWN
@@ -251,9 +288,8 @@ class _Run:
     def _print_summary(self, balloon: Balloon | FinishedBags, lines: Sequence[str]) -> int:
         """Tell what was found and written; the exit code."""
         say, settings = self.say, balloon.settings
-        many = isinstance(balloon, FinishedBags)
-        output = (bag_summary if many else summary)(balloon.report, settings.film, settings.correct, say)
-        slow = native_wheel.slow_notes() if settings.backend is None else []
+        output = (bag_summary if self._many else summary)(balloon.report, settings.film, settings.correct, say)
+        slow = self._slow_notes() if settings.backend is None else []
         output += [say(f"Note: {say(note)}") for note in (*self._left_out, *slow)]
         output += [*lines, *(say(f"Wrote {path}") for path in self._paths)]
         problem = console.show("\n".join(output) + "\n")
@@ -264,10 +300,6 @@ class _Run:
             self.complain(f"The summary cannot be shown ({problem.strerror}); {self.outcome()}.")
             return console.UNSHOWN
         return 0
-
-
-def _makers(balloon: Balloon | FinishedBags, results: str | None) -> dict[str, Callable[[], bytes]]:
-    return bag_makers(balloon, results) if isinstance(balloon, FinishedBags) else makers(balloon, results)
 
 
 def _refuse_streams(name: str | None) -> None:
@@ -324,7 +356,12 @@ def _film(options: argparse.Namespace) -> Film:
 
 def _readers(many: bool) -> dict[str, Any]:
     """What reads the files that the engine does not, as the jobs ask for it; many: for many panels."""
-    return {"readers": Readers(_decode(), solid_reader())} if many else {"decode": _decode()}
+    if not many:
+        return {"decode": _decode()}
+    from BalloonWorkbench.cli.solid import solid_reader
+    from BalloonWorkbench.core.bag_design.source import Readers
+
+    return {"readers": Readers(_decode(), solid_reader())}
 
 
 def _decode() -> Any:

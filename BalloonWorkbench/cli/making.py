@@ -6,16 +6,13 @@ from __future__ import annotations
 import argparse
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from BalloonWorkbench.cli.console import readable
-from BalloonWorkbench.core.bag_job import FinishedBags
 from BalloonWorkbench.core.errors import ExportError, InputError
 from BalloonWorkbench.core.job import Balloon
 from BalloonWorkbench.core.machines.machine import ANY, Machine, machines
 from BalloonWorkbench.core.machines.machine_file import checked_files
-from BalloonWorkbench.core.nesting.layout import GrainRule, Stock
-from BalloonWorkbench.core.products import Artwork, assembly_files, bag_print, nested, print_files
 from BalloonWorkbench.core.tracing.picture_file import decode, picture_size
 from BalloonWorkbench.core.types import Attempt, Progress, Say
 from BalloonWorkbench.core.units import (
@@ -24,6 +21,11 @@ from BalloonWorkbench.core.units import (
     percent_text,
     size_text,
 )
+
+if TYPE_CHECKING:  # only what is asked for is loaded
+    from BalloonWorkbench.core.bag_job import FinishedBags
+    from BalloonWorkbench.core.nesting.layout import Stock
+    from BalloonWorkbench.core.products import Artwork
 
 
 def checked(
@@ -56,6 +58,8 @@ def checked(
                 )
             )
         if options.assembly is not None:
+            from BalloonWorkbench.core.products import assembly_files
+
             title = readable(Path(options.input).stem).capitalize()
             made.append(
                 attempt("assembly.pdf", lambda: (assembly_files(balloon, title, options.assembly, say), []))
@@ -70,6 +74,9 @@ def checked(
 def _print(
     balloon: Balloon | FinishedBags, artwork: Artwork, asked: Sequence[Machine], oversize: str, say: Say
 ) -> tuple[dict[str, bytes], list[str]]:
+    from BalloonWorkbench.core.bag_job import FinishedBags
+    from BalloonWorkbench.core.products import print_files
+
     if isinstance(balloon, FinishedBags):
         return _print_bags(balloon, artwork, asked, oversize, say)
     files, remarks, front, back = print_files(balloon, artwork)
@@ -87,6 +94,8 @@ def _print(
 def _print_bags(
     bags: FinishedBags, artwork: Artwork, asked: Sequence[Machine], oversize: str, say: Say
 ) -> tuple[dict[str, bytes], list[str]]:
+    from BalloonWorkbench.core.products import bag_print
+
     files, remarks, sheet = bag_print(bags, artwork)
     made, doubts = checked_files(sheet.pattern, asked, oversize=oversize)
     lines = [*(say(f"Note: {remark}") for remark in remarks), *(say(f"Check: {doubt}") for doubt in doubts)]
@@ -100,6 +109,8 @@ def _artwork(options: argparse.Namespace, reader: Callable[[Path], Any]) -> Artw
         if options.artwork_back is not None:
             raise InputError("Give --artwork for the front too.")
         return None
+    from BalloonWorkbench.core.products import Artwork
+
     paths = [Path(name) for name in (options.artwork, options.artwork_back) if name is not None]
     for path in paths:
         picture_size(path)
@@ -110,6 +121,8 @@ def _artwork(options: argparse.Namespace, reader: Callable[[Path], Any]) -> Artw
 
 def _stock(options: argparse.Namespace) -> Stock:
     """'500mm', '500mmx700mm' or '50 x 70 cm': width, and length of a sheet."""
+    from BalloonWorkbench.core.nesting.layout import GrainRule, Stock
+
     width, length = parse_size(options.nest)
     return Stock(width, length, options.spacing, GrainRule(options.grain_lies))
 
@@ -123,6 +136,8 @@ def _nest(
     progress: Progress,
     say: Say,
 ) -> tuple[dict[str, bytes], list[str]]:
+    from BalloonWorkbench.core.products import nested
+
     contents: dict[str, bytes] = {}
     lines: list[str] = []
     notes: list[str] = []

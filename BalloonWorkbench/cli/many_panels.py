@@ -8,12 +8,13 @@ import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from BalloonWorkbench.core.bag_design.source import PANELS, form_of
-from BalloonWorkbench.core.bag_job import FinishedBags
-from BalloonWorkbench.core.bags.bag import Bag
-from BalloonWorkbench.core.bags.read_bag import bag_json
+from BalloonWorkbench.core.bag_design.form import PANELS, form_of
 from BalloonWorkbench.core.errors import InputError
+
+if TYPE_CHECKING:
+    from BalloonWorkbench.core.bag_job import FinishedBags
 
 
 def check(options: argparse.Namespace) -> None:
@@ -30,9 +31,12 @@ def check(options: argparse.Namespace) -> None:
 
 
 @contextmanager
-def file_of(path: str, made: object) -> Iterator[str]:
+def file_of(path: str, made: FinishedBags) -> Iterator[str]:
     """The file of what was made: panels that were made at another size are written into one of that name."""
-    source = made.sources[0] if isinstance(made, FinishedBags) else None
+    from BalloonWorkbench.core.bags.bag import Bag
+    from BalloonWorkbench.core.bags.read_bag import bag_json
+
+    source = made.sources[0]
     if not isinstance(source, Bag):
         yield path
         return

@@ -7,10 +7,13 @@ import pickle
 import shutil
 import tempfile
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from BalloonWorkbench.cli.freecad_process import FreecadProcess, has_freecad
-from BalloonWorkbench.core.bag_design.source import ReadSolid
-from BalloonWorkbench.core.targets.target import Division
+
+if TYPE_CHECKING:
+    from BalloonWorkbench.core.bag_design.source import ReadSolid
+    from BalloonWorkbench.core.targets.target import Division
 
 
 def solid_reader() -> ReadSolid | None:

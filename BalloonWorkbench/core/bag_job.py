@@ -24,19 +24,16 @@ from BalloonWorkbench.core.advice.many_panels.bag_advice import bag_advice
 from BalloonWorkbench.core.bag_design.bag_design import BagDesign
 from BalloonWorkbench.core.bag_design.band_fit import fit_band
 from BalloonWorkbench.core.bag_design.band_width import band_for_thickness
+from BalloonWorkbench.core.bag_design.form import MESH, PANELS, SOLID, form_of
 from BalloonWorkbench.core.bag_design.gore_count import fit_to_accuracy, gores_needed, judged
 from BalloonWorkbench.core.bag_design.gore_fit import RisingPressure, fit_gores, inflate_gores
 from BalloonWorkbench.core.bag_design.inflate_bag import inflate_bag
 from BalloonWorkbench.core.bag_design.source import (
-    MESH,
     NO_READERS,
-    PANELS,
-    SOLID,
     Readers,
     Source,
     check_together,
     division_of_size,
-    form_of,
     profile_of_size,
     scaled,
     size_of,
@@ -78,13 +75,6 @@ from BalloonWorkbench.core.targets.target import Division
 from BalloonWorkbench.core.types import Attempt, Progress, insist, no_progress, part_of, rising
 
 _OFF = 1e-3  # of a volume that was asked for
-
-
-def has_many_panels(settings: Settings, path: str | Path) -> bool:
-    """Whether a file and what is asked for make more than two equal panels; the file may not be there."""
-    if settings.body != BodyOptions() or settings.side_band != BandOptions():
-        return True
-    return form_of(path) is not None
 
 
 def read_sources(

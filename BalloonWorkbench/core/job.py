@@ -51,13 +51,11 @@ from BalloonWorkbench.core.outline.validity import scale_to
 from BalloonWorkbench.core.pattern.layout import on_one_sheet
 from BalloonWorkbench.core.pattern.make import make_pattern, pieces_remarks, sheet_of
 from BalloonWorkbench.core.pattern.pattern import Pattern
-from BalloonWorkbench.core.pictures.preview import preview_png
 from BalloonWorkbench.core.readers.read import read_drawing
 from BalloonWorkbench.core.reports import report
 from BalloonWorkbench.core.results.result_files import frame_files, results_bytes
 from BalloonWorkbench.core.results.stl import stl_bytes
 from BalloonWorkbench.core.rounded import rounded, rounded_outline
-from BalloonWorkbench.core.solver.dynamics.animation import inflate_in_time
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.tracing.picture import Decode
@@ -320,6 +318,8 @@ def makers(balloon: Balloon, results: str | None = None) -> dict[str, Callable[[
 
     results: as in `files`. They raise MissingPackageError.
     """
+    from BalloonWorkbench.core.pictures.preview import preview_png  # not every job has a picture
+
     film = balloon.settings.film
     named: dict[str, Callable[[], bytes]] = {
         **sheet_makers(balloon.sheet),
@@ -363,6 +363,8 @@ def inflation_files(
 
     Raises what inflate_in_time raises.
     """
+    from BalloonWorkbench.core.solver.dynamics.animation import inflate_in_time
+
     contents: dict[str, bytes] = {}
     for number, inflation in enumerate(inflations):
         solved = inflation.report

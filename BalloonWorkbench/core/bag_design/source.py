@@ -3,13 +3,13 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 
+from BalloonWorkbench.core.bag_design.form import MESH, PANELS, SOLID
 from BalloonWorkbench.core.bags.bag import Bag
 from BalloonWorkbench.core.bodies.profile import Profile
 from BalloonWorkbench.core.bodies.read_profile import read_profile
@@ -20,21 +20,14 @@ from BalloonWorkbench.core.geometry.polyline import extent
 from BalloonWorkbench.core.options.body import FOLLOW, BandOptions, BodyOptions, TargetOptions
 from BalloonWorkbench.core.options.body import PANELS as PANELS_OF_MESH
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.readers.vector import read_bytes, vector_kind
 from BalloonWorkbench.core.seam_edits.apply_edits import apply_edits
 from BalloonWorkbench.core.seam_edits.read_seams import edits_in
-from BalloonWorkbench.core.targets.read_target import is_mesh, read_target
+from BalloonWorkbench.core.targets.read_target import read_target
 from BalloonWorkbench.core.targets.target import Division, Target
 from BalloonWorkbench.core.tracing.picture import Decode
 
 Source = Profile | Outline | Bag | Division
 
-#: What a JSON file of panels, or of a profile, has instead of the loops of an outline.
-PANELS = "panels"
-#: A file with a closed body: triangles, or a solid, which FreeCAD reads.
-MESH, SOLID = "mesh", "solid"
-#: Kinds of files with solids, by the ends of their names.
-SOLIDS = ("step", "stp", "brep", "brp", "iges", "igs")
 #: What reads a solid: its file, and into how many panels it is divided, 0 for its faces.
 ReadSolid = Callable[[str, int], Division]
 
@@ -48,37 +41,6 @@ class Readers:
 
 
 NO_READERS = Readers()
-_MOST_BYTES = 8 << 20
-_KEYS = (PANELS, "profile", "natural_shape")
-
-
-def form_of(path: str | Path) -> str | None:
-    """PANELS or another of the words by which a JSON file of many panels is known; MESH; None for any other
-    file.
-
-    One that cannot be read is left to the readers of what it speaks of, which say why.
-    """
-    path = Path(path)
-    if is_mesh(path):
-        return MESH
-    if path.suffix.lower().lstrip(".") in SOLIDS:
-        return SOLID
-    named: list[str] = []
-    try:
-        with path.open("rb") as file:
-            if vector_kind(path, file.read(4096)) != "json":
-                return None
-        data = read_bytes(path)
-        named = [key for key in _KEYS if f'"{key}"'.encode() in data]
-        if not named or len(data) > _MOST_BYTES:  # most outlines are not unpacked twice
-            return named[0] if named else None
-        text = json.loads(data)
-    except (OSError, InputError):
-        return None
-    except (ValueError, RecursionError):
-        return named[0] if named else None
-    return next((key for key in _KEYS if isinstance(text, dict) and key in text), None)
-
 
 def check_together(
     path: str | Path,

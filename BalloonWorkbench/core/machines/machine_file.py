@@ -13,7 +13,6 @@ from BalloonWorkbench.core.machines.toolpaths import Toolpaths, draw
 from BalloonWorkbench.core.machines.writers.dxf import drawing_dxf
 from BalloonWorkbench.core.machines.writers.hpgl import drawing_hpgl
 from BalloonWorkbench.core.machines.writers.lightburn import drawing_lightburn
-from BalloonWorkbench.core.machines.writers.pdf import drawing_pdf, tiled_pdf
 from BalloonWorkbench.core.machines.writers.svg import drawing_svg
 from BalloonWorkbench.core.options.making import REFUSE
 from BalloonWorkbench.core.pattern.pattern import Pattern
@@ -36,14 +35,16 @@ def drawing_file(
     drawing: Toolpaths, machine: Machine, tiled: str | None = None, say: Say = in_english
 ) -> bytes:
     """The same for a drawing that is already made for the machine."""
-    if tiled is None and machine.format == "pdf":
-        return drawing_pdf(drawing, machine, say)
-    if tiled is None:
+    if tiled is None and machine.format != "pdf":
         return _WRITERS[machine.format](drawing, machine)
     if machine.format != "pdf":
         raise ExportError(
             f"{machine.title} reads {machine.format.upper()}, which has no pages: choose paper."
         )
+    from BalloonWorkbench.core.machines.writers.pdf import drawing_pdf, tiled_pdf
+
+    if tiled is None:
+        return drawing_pdf(drawing, machine, say)
     return tiled_pdf(drawing, machine, tiled, say)
 
 

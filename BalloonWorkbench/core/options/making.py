@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import partial
 
-from BalloonWorkbench.core.options.option import Kind, Section, titles_in
+from BalloonWorkbench.core.options.option import Kind, Section, option_of, titles_in
 
 MAKING, ARTWORK, SHEET = Section("Making"), Section("Artwork"), Section("Film", topic="Layout on film")
 #: What becomes of a pattern that is larger than the bed: no file, the file all the same, a smaller balloon.
@@ -30,6 +30,25 @@ class MachineOptions:
         " balloon is made smaller until it fits (scale)", prop="", choices={REFUSE: "", WRITE: "", SCALE: ""})
     tiled: str | None = MAKING(Kind.CHOICE, None, "Also write a PDF to print on several pages", prop="",
         choices={"A4": "", "A3": "", "Letter": ""})
+
+
+@dataclass(frozen=True)
+class RunOptions:
+    """How much of a job is done, and by how many."""
+
+    only: tuple[str, ...] = MAKING(Kind.CHOICE, (),
+        "Of the files that are written anyway only these; may be repeated", prop="",
+        choices=dict.fromkeys(("report", "pattern", "balloon", "preview", "document"), ""))
+    threads: int | None = MAKING(Kind.COUNT, None,
+        "How many threads solve a large balloon, by default up to four; a small one takes one", prop="",
+        least=1)
+
+
+def is_wanted(name: str, only: tuple[str, ...]) -> bool:
+    """Whether a file is written, of those of `RunOptions.only`; one that was asked for by itself always is."""
+    stem = name.partition(".")[0].partition("-")[0]
+    kind = "document" if name.endswith(".FCStd") else stem
+    return not only or kind in only or kind not in option_of(RunOptions, "only").titles
 
 
 @dataclass(frozen=True)

@@ -11,6 +11,7 @@ from BalloonWorkbench.core.options.making import (
     AssemblyOptions,
     MachineOptions,
     ResultOptions,
+    RunOptions,
     SheetOptions,
     WeldingOptions,
 )
@@ -32,6 +33,7 @@ DECLARED: tuple[type, ...] = (
     InflationOptions,
     ModelOptions,
     PatternOptions,
+    RunOptions,
     MachineOptions,
     WeldingOptions,
     ResultOptions,

@@ -14,9 +14,7 @@ from BalloonWorkbench.core.outline.budget import Budget
 from BalloonWorkbench.core.outline.drawing import Drawing, checked
 from BalloonWorkbench.core.outline.validity import scale_to
 from BalloonWorkbench.core.readers.chains import drawing_from
-from BalloonWorkbench.core.readers.dxf import read_dxf
 from BalloonWorkbench.core.readers.json_points import read_points
-from BalloonWorkbench.core.readers.svg import read_svg
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import from_mm, number_text
 
@@ -42,10 +40,14 @@ def read_vector(
         drawing = read_points(data, budget)
         _check_places([line for part in drawing.parts for line in (*part.loops, *part.welds)])
     elif kind == "svg":
+        from BalloonWorkbench.core.readers.svg import read_svg
+
         lines, filled, welds = read_svg(data, FLATNESS, budget)
         _check_places([*lines, *welds])
         drawing = drawing_from(lines, (), filled, welds, budget=budget)
     elif kind == "dxf":
+        from BalloonWorkbench.core.readers.dxf import read_dxf
+
         lines, welds, notes = read_dxf(data, FLATNESS, budget)
         _check_places([*lines, *welds])
         drawing = drawing_from(lines, notes, (), welds, budget=budget)

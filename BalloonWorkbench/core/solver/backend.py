@@ -13,7 +13,6 @@ from typing import Protocol
 
 from BalloonWorkbench.core import packages
 from BalloonWorkbench.core.errors import InputError, MissingPackageError
-from BalloonWorkbench.core.solver.dynamics import motion
 from BalloonWorkbench.core.solver.equilibrium import newton
 from BalloonWorkbench.core.solver.native import load
 from BalloonWorkbench.core.solver.problem import (
@@ -94,6 +93,8 @@ def backend_named(name: str | Backend | None) -> Backend:
     if name is None:
         return available()[0]
     if name == "newmark" and _scipy_is_there():
+        from BalloonWorkbench.core.solver.dynamics import motion  # most balloons do not move
+
         return Backend("newmark", motion.solve, newton.energies, newton.tangent_solve)
     for backend in available():
         if backend.name == name:

@@ -11,14 +11,14 @@ from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.files.user_file import read_whole
 from BalloonWorkbench.core.targets.mending.repair import mended, uncrossed
 from BalloonWorkbench.core.targets.mesh_files import RawMesh, read_obj, read_stl
+from BalloonWorkbench.core.targets.names import MESHES
 from BalloonWorkbench.core.targets.ply import read_ply
 from BalloonWorkbench.core.targets.simplify import simplified
 from BalloonWorkbench.core.targets.target import Target
 from BalloonWorkbench.core.targets.three_mf import read_3mf
 from BalloonWorkbench.core.units import from_mm, length_text, number_text
 
-#: Kinds of mesh files, by the ends of their names.
-MESHES = {"stl": read_stl, "obj": read_obj, "ply": read_ply, "3mf": read_3mf}
+_READERS = dict(zip(MESHES, (read_stl, read_obj, read_ply, read_3mf), strict=True))
 _MOST_BYTES = 400 << 20
 #: Of a file without a unit: bodies up to this size, in its unit, are in metres, others in millimetres.
 _IN_METRES = 5.0
@@ -28,11 +28,6 @@ MOST_TRIANGLES = 20_000
 SMALLEST, LARGEST = 0.01, 100.0
 
 
-def is_mesh(path: str | Path) -> bool:
-    """Whether a file is a mesh, by its name."""
-    return Path(path).suffix.lower().lstrip(".") in MESHES
-
-
 def read_target(path: str | Path, width: float | None = None, height: float | None = None) -> Target:
     """The largest closed body in a mesh file, mended where that is safe.
 
@@ -40,7 +35,7 @@ def read_target(path: str | Path, width: float | None = None, height: float | No
     Raises InputError with one sentence for what is no body.
     """
     path = Path(path)
-    raw = MESHES[path.suffix.lower().lstrip(".")](read_whole(path, _MOST_BYTES))
+    raw = _READERS[path.suffix.lower().lstrip(".")](read_whole(path, _MOST_BYTES))
     return target_of(raw, path.name, width, height)
 
 

@@ -7,8 +7,6 @@ power are left to the user, whose material library has them.
 
 from __future__ import annotations
 
-from xml.sax.saxutils import quoteattr
-
 from BalloonWorkbench.core.arcs.curves import Curve
 from BalloonWorkbench.core.errors import ExportError
 from BalloonWorkbench.core.machines.machine import Machine
@@ -24,6 +22,8 @@ _DIGITS = 4
 
 def drawing_lightburn(drawing: Toolpaths, machine: Machine) -> bytes:
     """The project's content, mm with y upward; the same bytes for the same drawing."""
+    from xml.sax.saxutils import quoteattr  # which brings all of urllib along
+
     numbers = _layer_numbers(drawing, machine)
     names: dict[int, list[str]] = {}
     for (turn, role), number in numbers.items():
