@@ -8,10 +8,10 @@ import numpy as np
 from BalloonWorkbench.core.artwork.marks import bordered, marked
 from BalloonWorkbench.core.artwork.picture import Picture, carried_on
 from BalloonWorkbench.core.artwork.sheet import Print, Sheet, artwork_sheets
+from BalloonWorkbench.core.geometry.raster import nearest_covers
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pattern.pattern import Pattern
-from BalloonWorkbench.core.pictures.render import _rasterised
 from BalloonWorkbench.core.solver.inflation import Inflation
 
 WHITE, FILM = (255, 255, 255, 255), (240, 200, 40, 255)
@@ -60,13 +60,16 @@ def inflated_view(
     seen = (inflation.positions[:, :2] - low) / pixel
     seen[:, 1] = shape[0] - seen[:, 1]
     flat = inflation.panel.rest_positions
-    attributes = np.column_stack([flat, np.ones(len(flat))])
-    drawn = _rasterised(seen, inflation.positions[:, 2], inflation.panel.triangles, attributes, shape)
-    at = (drawn[..., :2] - sheet.origin) * sheet.dpi / 25.4e-3
+    triangles, middles = inflation.panel.triangles, (np.arange(shape[1]) + 0.5, np.arange(shape[0]) + 0.5)
+    nearest = nearest_covers(seen, inflation.positions[:, 2], triangles, *middles)
+    drawn = np.full((*shape, 2), np.nan)
+    film = flat[triangles[nearest.number]]
+    drawn[nearest.rows, nearest.columns] = (nearest.shares[..., None] * film).sum(axis=1)
+    at = (np.nan_to_num(drawn) - sheet.origin) * sheet.dpi / 25.4e-3
     rows = np.clip(np.rint(len(sheet.pixels) - at[..., 1] - 0.5), 0, len(sheet.pixels) - 1).astype(int)
     columns = np.clip(np.rint(at[..., 0] - 0.5), 0, sheet.pixels.shape[1] - 1).astype(int)
     view = sheet.pixels[rows, columns]
-    view[drawn[..., 2] < 0.5] = 0
+    view[np.isnan(drawn[..., 0])] = 0
     return view
 
 

@@ -68,7 +68,7 @@ def seen_from(film: VisibleFilm, x: Floats, y: Floats, needed: Bools) -> Floats:
     places = np.full((len(y), len(x), 2), np.nan)
     triangles = film.triangles[signed_areas(film.flat, film.triangles) > 0.0]
     for number, rows, columns, shares in covered(film.flat, triangles, x, y):
-        places[rows, columns] = shares @ film.seen[triangles[number]]
+        places[rows, columns] = (shares[..., None] * film.seen[triangles[number]]).sum(axis=1)
     _add_fin(film, x, y, needed, places)
     return places
 

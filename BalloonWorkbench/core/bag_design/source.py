@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from BalloonWorkbench.core.bag_design.form import MESH, PANELS, SOLID
+from BalloonWorkbench.core.bag_design.form import MESH, PANELS, SOLID, form_of
 from BalloonWorkbench.core.bags.bag import Bag
 from BalloonWorkbench.core.bodies.profile import Profile
 from BalloonWorkbench.core.bodies.read_profile import read_profile

@@ -14,20 +14,21 @@ from BalloonWorkbench.core.types import Floats, Ints
 
 #: A hair wider than the triangles, so that nothing shows between neighbours.
 _HAIR = 1e-9
+_CHUNK = 300_000  # places looked at together
 
 
 class Cover(NamedTuple):
-    """What a triangle covers of a grid: its number, rows (k,) and columns (k,) of the places that it covers,
-    and their area coordinates (k, 3) in it."""
+    """What triangles cover of a grid: k times the number of a triangle (k,), row (k,) and column (k,) of a
+    place that it covers, and the place's area coordinates (k, 3) in it."""
 
-    number: int
+    number: NDArray[np.intp]
     rows: NDArray[np.intp]
     columns: NDArray[np.intp]
     shares: Floats
 
 
 def covered(points: Floats, triangles: Ints, x: Floats, y: Floats) -> Iterator[Cover]:
-    """Triangles (m, 3) of points (n, 2), one after the other, over the grid of even columns x and rows y.
+    """Triangles (m, 3) of points (n, 2), some after the other, over the grid of even columns x and rows y.
 
     Those without an area, and those beside the grid, are left out.
     """
@@ -36,15 +37,61 @@ def covered(points: Floats, triangles: Ints, x: Floats, y: Floats) -> Iterator[C
     low = np.ceil((corners.min(axis=1) - first) / step - 1e-6).astype(int).clip(0)
     high = np.floor((corners.max(axis=1) - first) / step + 1e-6).astype(int) + 1
     high = np.minimum(high, (len(x), len(y)))
-    for number in np.flatnonzero((areas != 0.0) & (high > low).all(axis=1)).tolist():
-        (left, bottom), (right, top), (a, b, c) = low[number], high[number], corners[number]
-        (u0, u1), (v0, v1) = b - a, c - a
-        across, along = x[left:right] - a[0], y[bottom:top, None] - a[1]
-        second = (across * v1 - along * v0) / areas[number]
-        third = (along * u0 - across * u1) / areas[number]
-        inside = (second >= -_HAIR) & (third >= -_HAIR) & (second + third <= 1.0 + _HAIR)
-        rows, columns = np.nonzero(inside)
-        shares = np.empty((len(rows), 3))
-        shares[:, 1], shares[:, 2] = second[rows, columns], third[rows, columns]
-        shares[:, 0] = 1.0 - shares[:, 1] - shares[:, 2]
-        yield Cover(number, rows + bottom, columns + left, shares)
+    inside = np.flatnonzero((areas != 0.0) & (high > low).all(axis=1))
+    places = np.cumsum((high - low)[inside].prod(axis=1))
+    for some in np.split(inside, np.flatnonzero(np.diff(places // _CHUNK)) + 1):
+        if len(some):
+            yield _covered_by(some, low[some], high[some] - low[some], corners[some], areas[some], (x, y))
+
+
+def _covered_by(
+    numbers: NDArray[np.intp],
+    low: NDArray[np.intp],
+    size: NDArray[np.intp],
+    corners: Floats,
+    areas: Floats,
+    grid: tuple[Floats, Floats],
+) -> Cover:
+    """What some triangles cover, each looked for in its box of the grid."""
+    count = size.prod(axis=1)
+    which = np.repeat(np.arange(len(numbers)), count)
+    row, column = np.divmod(np.arange(len(which)) - (np.cumsum(count) - count)[which], size[which, 0])
+    columns, rows = column + low[which, 0], row + low[which, 1]
+    a = corners[:, 0]
+    (u0, u1), (v0, v1) = (corners[:, 1] - a).T / areas, (corners[:, 2] - a).T / areas
+    across, along = grid[0][columns] - a[which, 0], grid[1][rows] - a[which, 1]
+    second = across * v1[which] - along * v0[which]
+    third = along * u0[which] - across * u1[which]
+    held = np.flatnonzero((second >= -_HAIR) & (third >= -_HAIR) & (second + third <= 1.0 + _HAIR))
+    second, third = second[held], third[held]
+    shares = np.column_stack([1.0 - second - third, second, third])
+    return Cover(numbers[which[held]], rows[held], columns[held], shares)
+
+
+class Nearest(NamedTuple):
+    """Of each place (k,) of a grid that triangles cover: row and column, the triangle, area coordinates (k, 3)."""
+
+    rows: NDArray[np.intp]
+    columns: NDArray[np.intp]
+    number: NDArray[np.intp]
+    shares: Floats
+
+
+def mixed(shares: Floats, values: Floats, corners: Ints) -> Floats:
+    """Values (n,) of points at places (k,) with area coordinates (k, 3) in triangles of corners (k, 3)."""
+    return np.asarray(sum(shares[:, side] * values[corners[:, side]] for side in range(3)))
+
+
+def nearest_covers(points: Floats, height: Floats, triangles: Ints, x: Floats, y: Floats) -> Nearest:
+    """Of the triangles (m, 3) over each place of a grid the one that is highest there; height (n,) of points."""
+    highest = np.full(len(x) * len(y), -np.inf)
+    number, shares = np.zeros(len(highest), dtype=np.intp), np.zeros((len(highest), 3))
+    for cover in covered(points, triangles, x, y):
+        place = cover.rows * len(x) + cover.columns
+        above = mixed(cover.shares, height, triangles[cover.number])
+        order = np.argsort(above, kind="stable")  # of places that are there twice the last one counts
+        order = order[above[order] > highest[place[order]]]
+        number[place[order]], shares[place[order]] = cover.number[order], cover.shares[order]
+        highest[place[order]] = above[order]
+    seen = np.flatnonzero(highest > -np.inf)
+    return Nearest(*np.divmod(seen, len(x)), number[seen], shares[seen])

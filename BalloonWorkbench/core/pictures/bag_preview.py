@@ -17,15 +17,14 @@ from BalloonWorkbench.core.geometry.polyline import bounds
 from BalloonWorkbench.core.machines.layers import LAYERS
 from BalloonWorkbench.core.pattern.pattern import Role
 from BalloonWorkbench.core.pictures.bag_picture import bag_picture, upright
+from BalloonWorkbench.core.pictures.canvas import Canvas
 from BalloonWorkbench.core.pictures.cards import (
     CARD,
     HEIGHT,
     SOFT,
     WIDTH,
+    Card,
     CardFrame,
-    box_inside,
-    caption,
-    card,
     cards_png,
     dimension,
     scale_bar,
@@ -51,85 +50,73 @@ def bag_preview_png(
 ) -> bytes:
     """A PNG of 1800 x 1000 pixels; same bytes for same input. MissingPackageError without matplotlib."""
 
-    def draw_cards(figure: Any) -> None:
+    def draw_cards(canvas: Canvas) -> None:
         left, tall = WIDTH - 2 * _MARGIN - _GAP - _FLAT, HEIGHT - 2 * _MARGIN
         distances = off_target(design)
         map_tall = 0 if distances is None else (tall - _GAP) // 2
         if distances is not None:
             title = f"Off the {'profile' if isinstance(design.source, Profile) else 'drawing'}"
-            _map(card(figure, _MARGIN, _MARGIN, left, map_tall, title), design, distances)
+            _map(Card(canvas, _MARGIN, _MARGIN, left, map_tall, title), design, distances)
         low = _MARGIN + (map_tall + _GAP if map_tall else 0)
-        place = card(figure, _MARGIN, low, left, HEIGHT - _MARGIN - low, "Balloon")
+        place = Card(canvas, _MARGIN, low, left, HEIGHT - _MARGIN - low, "Balloon")
         _balloon(place, design, seam_colour, colour)
         count = len(patterns.patterns)
         title = "1 panel" if count == 1 else f"{count} panels"
-        _panels(
-            card(figure, _MARGIN + left + _GAP, _MARGIN, _FLAT, tall, title), design, patterns, seam_colour
-        )
+        place = Card(canvas, _MARGIN + left + _GAP, _MARGIN, _FLAT, tall, title)
+        _panels(place, design, patterns, seam_colour)
 
     return cards_png(draw_cards)
 
 
-def _balloon(axes: Any, design: BagDesign, seam_colour: SeamColour, colour: str) -> None:
-    width, height = axes.get_xlim()[1], axes.get_ylim()[1]
-    box = (14, 56, width - 14, height - 64)
+def _balloon(card: Card, design: BagDesign, seam_colour: SeamColour, colour: str) -> None:
     seams = {number: seam_colour(number) for number in range(1, len(design.bag.seams) + 1)}
-    image = bag_picture(design, int(box[2] - box[0]), int(box[3] - box[1]), colour, seams=seams)
-    axes.imshow(image, extent=(box[0], box[2], box[1], box[3]), interpolation="nearest", zorder=2)
-    axes.set_xlim(0, width)
-    axes.set_ylim(0, height)
+    card.picture(bag_picture(design, card.width - 28, card.height - 120, colour, seams=seams), 14, 56)
     size = size_text(*np.ptp(upright(design)[design.film], axis=0).tolist())
-    caption(axes, f"{size}, {volume_text(design.inflation.volume)}")
+    card.caption(f"{size}, {volume_text(design.inflation.volume)}")
 
 
-def _map(axes: Any, design: BagDesign, distances: Floats) -> None:
+def _map(card: Card, design: BagDesign, distances: Floats) -> None:
     """The balloon by its distances (n,) m from what was wanted, with the scale and what they are in all."""
-    width, height = (int(limits[1]) for limits in (axes.get_xlim(), axes.get_ylim()))
     away, error = np.abs(distances), design.residual
     top = max(_NOTHING, float(away.max()) if error is None else min(error.max, 2.0 * error.p95))
     shown = colours(np.clip(away / top, 0.0, 1.0)) / 255.0
-    box = (14, 96, width - 14, height - 64)
-    image = bag_picture(design, box[2] - box[0], box[3] - box[1], shown, seams={})
-    axes.imshow(image, extent=(box[0], box[2], box[1], box[3]), interpolation="nearest", zorder=2)
-    scale = colours(np.linspace(0.0, 1.0, 256))[None]
-    axes.imshow(scale, extent=(120, width - 120, 66, 80), aspect="auto", zorder=2)
-    for x, text in ((110, "0"), (width - 110, length_text(top, 2))):
-        axes.text(x, 73, text, ha="right" if x == 110 else "left", va="center", color=SOFT, fontsize=11)
-    axes.set_xlim(0, width)
-    axes.set_ylim(0, height)
+    card.picture(bag_picture(design, card.width - 28, card.height - 160, shown, seams={}), 14, 96)
+    scale = colours(np.linspace(0.0, 1.0, card.width - 240)) / 255.0
+    card.picture(np.tile(scale, (14, 1, 1)), 120, 66)
+    card.text(110, 73, "0", 11, centre=1.0)
+    card.text(card.width - 110, 73, length_text(top, 2), 11)
     if error is not None:
         mean, most, largest = (
             f"{length_text(part, 2)} ({percent_text(part / design.size)})"
             for part in (error.mean, error.p95, error.max)
         )
-        caption(axes, f"mean {mean}, 95 % below {most}, at most {largest}")
+        card.caption(f"mean {mean}, 95 % below {most}, at most {largest}")
 
 
-def _panels(axes: Any, design: BagDesign, patterns: BagPatterns, seam_colour: SeamColour) -> None:
+def _panels(card: Card, design: BagDesign, patterns: BagPatterns, seam_colour: SeamColour) -> None:
     laid = (*patterns.patterns, *patterns.pieces)
     points = to_mm(np.concatenate([contour.points for pattern in laid for contour in pattern.contours]))
     low, high = bounds(points)
-    frame = CardFrame(low, high, box_inside(axes, 74, 130, 40, 84))
+    frame = CardFrame(low, high, card.inside(74, 130, 40, 84))
     for pattern in laid:
         for contour in sorted(pattern.contours, key=lambda each: each.role is not Role.CUT):
             line = frame(to_mm(contour.line))
             if contour.role in (Role.CUT, Role.CUT_INNER):
-                axes.fill(*line.T, color=_FILM if contour.role is Role.CUT else CARD, lw=0.0)
+                card.area([line], _FILM if contour.role is Role.CUT else CARD)
             if contour.role in _SHOWN:
-                style = {"ls": (0, (5, 2)), "alpha": 0.5} if contour.role is Role.SEAL else {}
-                axes.plot(*line.T, color=LAYERS[contour.role].rgb, lw=0.7, solid_joinstyle="round", **style)
+                faint: dict[str, Any] = {"dash": (5, 2), "opacity": 0.5} if contour.role is Role.SEAL else {}
+                card.lines([line], LAYERS[contour.role].rgb, 0.7, **faint)
     shifts = dict(zip(patterns.panels, patterns.shifts, strict=True))
     for mark, seam in zip(patterns.seams, design.bag.seams, strict=True):
-        for panel, side in zip(mark.panels, side_lines(design.bag, seam)):
-            if panel in shifts and mark.made:
-                line = frame(to_mm(side + shifts[panel]))
-                axes.plot(*line.T, color=seam_colour(mark.number), lw=2.6, solid_capstyle="butt", zorder=4)
+        sides = zip(mark.panels, side_lines(design.bag, seam))
+        seen = [side + shifts[panel] for panel, side in sides if panel in shifts and mark.made]
+        card.lines([frame(to_mm(side)) for side in seen], seam_colour(mark.number), 2.6)
     start, end = frame(low), frame(high)
     across, up = (length_text(from_mm(float(size))) for size in high - low)
-    dimension(axes, (start[0], start[1] - 26), (end[0], start[1] - 26), across)
-    dimension(axes, (start[0] - 26, start[1]), (start[0] - 26, end[1]), up, rotation=90)
-    scale_bar(axes, frame.scale)
+    dimension(card, (start[0], start[1] - 26), (end[0], start[1] - 26), across)
+    dimension(card, (start[0] - 26, start[1]), (start[0] - 26, end[1]), up)
+    scale_bar(card, frame.scale)
     count = sum(mark.made for mark in patterns.seams)
     turned = sum(mark.made and not mark.flat for mark in patterns.seams)
     text = f"{count} seams, {length_text(patterns.seam_length)} in all"
-    caption(axes, f"{text}; {turned} do not lie flat" if turned else text)
+    card.caption(f"{text}; {turned} do not lie flat" if turned else text)

@@ -3,70 +3,70 @@
 
 from __future__ import annotations
 
-import io
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
 
-from BalloonWorkbench.core.errors import MissingPackageError
+from BalloonWorkbench.core.pictures.canvas import Canvas
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import from_mm, length_text
 
-WIDTH, HEIGHT, DPI = 1800, 1000, 100
+WIDTH, HEIGHT = 1800, 1000
 PAPER, CARD, EDGE = "#eef0f4", "#ffffff", "#d5d9e1"
 INK, SOFT = "#232a36", "#6b7484"
+#: Length of an arrow's head, and half its width [pixels].
+_HEAD = 5.6, 2.8
 
 
-def cards_png(draw: Callable[[Any], None]) -> bytes:
-    """The PNG of what is drawn on a figure of matplotlib; the same bytes for the same.
-
-    MissingPackageError without matplotlib.
-    """
-    try:
-        from matplotlib import style
-        from matplotlib.backends.backend_agg import FigureCanvasAgg
-        from matplotlib.figure import Figure
-    except ImportError as error:
-        raise MissingPackageError(
-            "The preview picture needs matplotlib: install it with pip install matplotlib."
-        ) from error
-    with style.context("default"):  # not as the user's other diagrams
-        figure = Figure(figsize=(WIDTH / DPI, HEIGHT / DPI), dpi=DPI, facecolor=PAPER)
-        canvas = FigureCanvasAgg(figure)
-        draw(figure)
-        stream = io.BytesIO()
-        canvas.print_png(stream, metadata={"Software": None})
-    return stream.getvalue()
+def cards_png(draw: Callable[[Canvas], None]) -> bytes:
+    """The PNG of what is drawn on a sheet; the same bytes for the same. MissingPackageError without matplotlib."""
+    canvas = Canvas(WIDTH, HEIGHT, PAPER)
+    draw(canvas)
+    return canvas.png()
 
 
-def card(figure: Any, x: int, y: int, width: int, height: int, title: str) -> Any:
-    """Axes that fill a card with the title on it; one unit is one pixel."""
-    from matplotlib.patches import FancyBboxPatch
+class Card:
+    """A card with a title; places are pixels from its lower left corner."""
 
-    axes = figure.add_axes((x / WIDTH, y / HEIGHT, width / WIDTH, height / HEIGHT))
-    axes.set_xlim(0, width)
-    axes.set_ylim(0, height)
-    axes.axis("off")
-    card = FancyBboxPatch(
-        (7, 7), width - 14, height - 14, boxstyle="round,pad=6,rounding_size=14", fc=CARD, ec=EDGE, lw=1.0
-    )
-    axes.add_patch(card)
-    axes.text(24, height - 36, title, color=INK, fontsize=14, fontweight="bold", va="center")
-    return axes
+    def __init__(self, canvas: Canvas, x: int, y: int, width: int, height: int, title: str) -> None:
+        self._canvas, self._corner = canvas, np.array([x, y])
+        self.width, self.height = width, height
+        canvas.box((x + 1, y + 1), (x + width - 1, y + height - 1), CARD, EDGE)
+        self.text(24, height - 36, title, 14, INK, bold=True)
 
+    def area(self, loops: Sequence[Floats], colour: str, opacity: float = 1.0) -> None:
+        """A filled shape: a loop (n, 2), and holes in it."""
+        self._canvas.area([loop + self._corner for loop in loops], colour, opacity)
 
-def caption(axes: Any, text: str, color: str = SOFT) -> None:
-    """A line at the foot of a card, smaller where the card is too narrow for it."""
-    line = axes.text(24, 30, text, color=color, fontsize=11, va="center")
-    width = line.get_window_extent(axes.figure.canvas.get_renderer()).width
-    line.set_fontsize(11.0 * min(1.0, (axes.get_xlim()[1] - 48.0) / max(width, 1.0)))
+    def lines(self, lines: Sequence[Floats], colour: str, width: float, **style: Any) -> None:
+        """Lines (n, 2), so many points wide; see `Canvas.lines`."""
+        self._canvas.lines([line + self._corner for line in lines], colour, width, **style)
+
+    def text(self, x: float, y: float, text: str, size: float, colour: str = SOFT, **style: Any) -> None:
+        """A text of a size in points; see `Canvas.text`."""
+        left, bottom = self._corner.tolist()
+        self._canvas.text((left + x, bottom + y), text, size, colour, **style)
+
+    def picture(self, pixels: Floats, left: int, bottom: int) -> None:
+        """A picture (h, w, 3 or 4) of values from 0 to 1, with its lower left corner there."""
+        x, y = self._corner.tolist()
+        self._canvas.picture(pixels, x + left, y + bottom)
+
+    def inside(self, left: float, bottom: float, right: float, top: float) -> tuple[float, ...]:
+        """Left, lower, right and upper end of the card without its margins."""
+        return left, bottom, self.width - right, self.height - top
+
+    def caption(self, text: str, colour: str = SOFT) -> None:
+        """A line at the foot, smaller where the card is too narrow for it."""
+        wide = self._canvas.text_width(text, 11.0)
+        self.text(24, 30, text, 11.0 * min(1.0, (self.width - 48.0) / max(wide, 1.0)), colour)
 
 
 class CardFrame:
     """Millimetres to pixels: a box of the drawing fitted into a box of the card."""
 
-    def __init__(self, low: Floats, high: Floats, box: tuple[float, float, float, float]) -> None:
+    def __init__(self, low: Floats, high: Floats, box: tuple[float, ...]) -> None:
         left, bottom, right, top = box
         self.scale = float(min((right - left) / (high[0] - low[0]), (top - bottom) / (high[1] - low[1])))
         self.shift = np.array([0.5 * (left + right), 0.5 * (bottom + top)]) - 0.5 * self.scale * (low + high)
@@ -76,46 +76,28 @@ class CardFrame:
         return points * self.scale + self.shift
 
 
-def box_inside(
-    axes: Any, left: float, bottom: float, right: float, top: float
-) -> tuple[float, float, float, float]:
-    """Left, lower, right and upper end of a card without its margins [pixels]."""
-    return left, bottom, axes.get_xlim()[1] - right, axes.get_ylim()[1] - top
+def dimension(card: Card, start: tuple[float, float], end: tuple[float, float], text: str) -> None:
+    """An arrow with two heads and its length, which runs upward beside an upright one."""
+    ends = np.array([start, end])
+    way = (ends[1] - ends[0]) / np.linalg.norm(ends[1] - ends[0])
+    card.lines([ends], SOFT, 0.8)
+    for tip, back in ((ends[0], way), (ends[1], -way)):
+        across = np.array([-back[1], back[0]])
+        foot = tip + _HEAD[0] * back
+        card.area([np.stack([tip, foot + _HEAD[1] * across, foot - _HEAD[1] * across])], SOFT)
+    x, y = ends.mean(axis=0)
+    card.text(x, y, text, 11, INK, centre=0.5, upright=abs(way[1]) > 0.5, paper=CARD)
 
 
-def dimension(
-    axes: Any, start: tuple[float, float], end: tuple[float, float], text: str, rotation: float = 0.0
-) -> None:
-    """An arrow with two heads and its length."""
-    axes.annotate(
-        "",
-        xy=end,
-        xytext=start,
-        arrowprops={"arrowstyle": "<|-|>", "color": SOFT, "lw": 0.8, "shrinkA": 0, "shrinkB": 0},
-    )
-    middle = 0.5 * (np.array(start) + np.array(end))
-    axes.text(
-        *middle, text, color=INK, fontsize=11, ha="center", va="center", rotation=rotation,
-        bbox={"fc": CARD, "ec": "none", "pad": 2.0},
-    )  # fmt: skip
-
-
-def scale_bar(axes: Any, scale: float) -> None:
+def scale_bar(card: Card, scale: float) -> None:
     """100 mm where that fits, else the nearest power of ten."""
     length = 100.0
     while length * scale > 240.0:
         length /= 10.0
     while length * scale < 24.0:
         length *= 10.0
-    right, y = axes.get_xlim()[1] - 30, 62
+    right, y = card.width - 30, 62
     left = right - length * scale
-    axes.plot([left, left, left, right, right, right], [y - 6, y + 6, y, y, y - 6, y + 6], color=INK, lw=1.4)
-    axes.text(
-        0.5 * (left + right),
-        y + 16,
-        length_text(from_mm(length)),
-        color=INK,
-        fontsize=10,
-        ha="center",
-        va="center",
-    )
+    bar = [(left, y - 6), (left, y + 6), (left, y), (right, y), (right, y + 6), (right, y - 6)]
+    card.lines([np.array(bar)], INK, 1.4)
+    card.text(0.5 * (left + right), y + 16, length_text(from_mm(length)), 10, INK, centre=0.5)

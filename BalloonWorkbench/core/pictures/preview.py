@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 
@@ -16,15 +15,14 @@ from BalloonWorkbench.core.machines.toolpaths import Path, draw
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.layout import on_one_sheet
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
+from BalloonWorkbench.core.pictures.canvas import Canvas
 from BalloonWorkbench.core.pictures.cards import (
     CARD,
     HEIGHT,
     SOFT,
     WIDTH,
+    Card,
     CardFrame,
-    box_inside,
-    caption,
-    card,
     cards_png,
     dimension,
     scale_bar,
@@ -57,66 +55,61 @@ def preview_png(designs: Sequence[Design], patterns: Sequence[Pattern], seam: st
     MissingPackageError without matplotlib.
     """
 
-    def draw_cards(figure: Any) -> None:
+    def draw_cards(canvas: Canvas) -> None:
         half = (HEIGHT - 2 * _MARGIN - _GAP) // 2
         tall = HEIGHT - 2 * _MARGIN
         second = _MARGIN + _LEFT + _GAP
         third = second + _MIDDLE + _GAP
-        _drawing(card(figure, _MARGIN, _MARGIN + half + _GAP, _LEFT, half, "Drawing"), designs)
-        _silhouette(card(figure, _MARGIN, _MARGIN, _LEFT, half, "Inflated over the drawing"), designs)
-        _pattern(card(figure, second, _MARGIN, _MIDDLE, tall, "Pattern, cut two"), patterns, seam)
+        _drawing(Card(canvas, _MARGIN, _MARGIN + half + _GAP, _LEFT, half, "Drawing"), designs)
+        _silhouette(Card(canvas, _MARGIN, _MARGIN, _LEFT, half, "Inflated over the drawing"), designs)
+        _pattern(Card(canvas, second, _MARGIN, _MIDDLE, tall, "Pattern, cut two"), patterns, seam)
         title = "Balloon" if len(designs) == 1 else f"{len(designs)} balloons"
-        _balloon(card(figure, third, _MARGIN, WIDTH - _MARGIN - third, tall, title), designs, patterns)
+        _balloon(Card(canvas, third, _MARGIN, WIDTH - _MARGIN - third, tall, title), designs, patterns)
 
     return cards_png(draw_cards)
 
 
-def _area(axes: Any, outline: Outline, frame: CardFrame, **style: Any) -> None:
-    """An outline with its holes as one filled shape."""
-    from matplotlib.patches import PathPatch
-    from matplotlib.path import Path
-
-    loops = [frame(to_mm(loop)) for loop in outline.loops]
-    points = np.concatenate([ring(loop) for loop in loops])
-    codes = np.concatenate(
-        [[Path.MOVETO, *[Path.LINETO] * (len(loop) - 1), Path.CLOSEPOLY] for loop in loops]
-    )
-    axes.add_patch(PathPatch(Path(points, codes), joinstyle="round", **style))
+def _loops(outline: Outline, frame: CardFrame) -> list[Floats]:
+    """An outline and its holes on a card."""
+    return [frame(to_mm(loop)) for loop in outline.loops]
 
 
-def _common_frame(axes: Any, designs: Sequence[Design]) -> CardFrame:
+def _rings(outline: Outline, frame: CardFrame) -> list[Floats]:
+    """The same as lines that end where they begin."""
+    return [ring(loop) for loop in _loops(outline, frame)]
+
+
+def _common_frame(card: Card, designs: Sequence[Design]) -> CardFrame:
     """The same scale for the drawing and for what is laid over it."""
     points = to_mm(
         np.concatenate([part.outer for design in designs for part in (design.target, design.silhouette)])
     )
-    return CardFrame(*bounds(points), box_inside(axes, 34, 62, 34, 66))
+    return CardFrame(*bounds(points), card.inside(34, 62, 34, 66))
 
 
-def _drawing(axes: Any, designs: Sequence[Design]) -> None:
-    frame = _common_frame(axes, designs)
+def _drawing(card: Card, designs: Sequence[Design]) -> None:
+    frame = _common_frame(card, designs)
     for design in designs:
-        _area(axes, design.target, frame, fc=_DRAWING, ec="none")
-        for weld in design.target.welds:
-            axes.plot(*frame(to_mm(weld)).T, color=CARD, lw=1.4, solid_capstyle="round")
+        card.area(_loops(design.target, frame), _DRAWING)
+        card.lines([frame(to_mm(weld)) for weld in design.target.welds], CARD, 1.4)
     width, height = np.ptp(np.concatenate([design.target.outer for design in designs]), axis=0)
     holes = sum(len(design.target.holes) for design in designs)
     shapes = "" if len(designs) == 1 else f", {len(designs)} shapes"
     inside = "" if not holes else ", 1 hole" if holes == 1 else f", {holes} holes"
-    caption(axes, f"{size_text(width, height)}{shapes}{inside}")
+    card.caption(f"{size_text(width, height)}{shapes}{inside}")
 
 
-def _silhouette(axes: Any, designs: Sequence[Design]) -> None:
-    frame = _common_frame(axes, designs)
+def _silhouette(card: Card, designs: Sequence[Design]) -> None:
+    frame = _common_frame(card, designs)
     for design in designs:
-        _area(axes, design.silhouette, frame, fc=_BALLOON, ec="none", alpha=0.30)
-        _area(axes, design.silhouette, frame, fc="none", ec=_BALLOON, lw=1.6)
-        _area(axes, design.target, frame, fc="none", ec=_DRAWING, lw=1.2, ls=(0, (4, 2.5)))
-        for stretch in design.unreached:
-            x, y = frame(to_mm(stretch.points)).T
-            axes.plot(x, y, color=_UNREACHED, lw=5.0, alpha=0.8, solid_capstyle="round", zorder=3)
-        for stretch in () if design.weld_range is None else design.weld_range.creases:
-            x, y = frame(to_mm(stretch.points)).T
-            axes.plot(x, y, color=_CREASES, lw=3.0, ls=(0, (0.1, 1.8)), dash_capstyle="round", zorder=4)
+        card.area(_loops(design.silhouette, frame), _BALLOON, 0.30)
+        card.lines(_rings(design.silhouette, frame), _BALLOON, 1.6)
+        card.lines(_rings(design.target, frame), _DRAWING, 1.2, dash=(4, 2.5))
+    for design in designs:
+        missed = [frame(to_mm(stretch.points)) for stretch in design.unreached]
+        card.lines(missed, _UNREACHED, 5.0, opacity=0.8)
+        creases = () if design.weld_range is None else design.weld_range.creases
+        card.lines([frame(to_mm(stretch.points)) for stretch in creases], _CREASES, 3.0, dash=(1.0, 0.9))
     worst = max(designs, key=lambda design: design.residual.mean / max(design.target.size))
     off = worst.residual
     share = off.mean / max(*worst.target.size, 1e-12)
@@ -124,50 +117,47 @@ def _silhouette(axes: Any, designs: Sequence[Design]) -> None:
     marked = "; yellow: missed" if any(design.unreached for design in designs) else ""
     if any(design.weld_range is not None and design.weld_range.creases for design in designs):
         marked += "; violet: may crease"
-    caption(
-        axes,
+    card.caption(
         f"{which}{length_text(off.mean, 2)} ({percent_text(share)}) off, {length_text(off.max, 2)} at"
         f" most{marked}",
         SOFT if all(design.reached for design in designs) else "#b3541e",
     )
 
 
-def _pattern(axes: Any, patterns: Sequence[Pattern], seam: str) -> None:
+def _pattern(card: Card, patterns: Sequence[Pattern], seam: str) -> None:
     names = {**_NAMES, Role.SEAL: seam, Role.WELD: f"{seam} inside"}
     pattern = on_one_sheet(patterns)
     sheet = draw(pattern, read_machine(FOLDER / f"{ANY['svg']}.json"))
-    frame = CardFrame(np.zeros(2), np.array([sheet.width, sheet.height]), box_inside(axes, 74, 150, 40, 84))
+    frame = CardFrame(np.zeros(2), np.array([sheet.width, sheet.height]), card.inside(74, 150, 40, 84))
     rings = {role: [_drawn(path, frame) for path in sheet.of(role)] for role in (Role.CUT, Role.CUT_INNER)}
     # A shape may lie in the hole of another: the larger ones first.
-    for points, color in sorted(
+    for points, colour in sorted(
         [(points, "#fbeef0") for points in rings[Role.CUT]]
         + [(points, CARD) for points in rings[Role.CUT_INNER]],
         key=lambda item: -float(np.ptp(item[0], axis=0).prod()),
     ):
-        axes.fill(*points.T, color=color)
-    for path in sheet.paths:
-        welded = path.role in (Role.SEAL, Role.WELD)
-        thick = 0.4 if path.role is Role.ENGRAVE else 1.5  # small letters stay open
-        style: dict[str, Any] = {"lw": 1.0, "ls": (0, (5, 2))} if welded else {"lw": thick}
-        axes.plot(*_drawn(path, frame).T, color=LAYERS[path.role].rgb, solid_joinstyle="round", **style)
+        card.area([points], colour)
+    for role in dict.fromkeys(path.role for path in sheet.paths):
+        lines, colour = [_drawn(path, frame) for path in sheet.of(role)], LAYERS[role].rgb
+        if role in (Role.SEAL, Role.WELD):
+            card.lines(lines, colour, 1.0, dash=(5, 2))
+        else:  # small letters stay open
+            card.lines(lines, colour, 0.4 if role is Role.ENGRAVE else 1.5)
     low, high = frame(np.zeros(2)), frame(np.array([sheet.width, sheet.height]))
-    dimension(axes, (low[0], low[1] - 26), (high[0], low[1] - 26), length_text(from_mm(sheet.width)))
-    dimension(
-        axes, (low[0] - 26, low[1]), (low[0] - 26, high[1]), length_text(from_mm(sheet.height)), rotation=90
-    )
-    scale_bar(axes, frame.scale)
+    dimension(card, (low[0], low[1] - 26), (high[0], low[1] - 26), length_text(from_mm(sheet.width)))
+    dimension(card, (low[0] - 26, low[1]), (low[0] - 26, high[1]), length_text(from_mm(sheet.height)))
+    scale_bar(card, frame.scale)
     left, height = 24, 62
     for number, role in enumerate(reversed(pattern.roles)):
         if number and number % _IN_A_ROW == 0:  # beside the scale bar there is room for so many
             left, height = 24, height + 24
-        axes.plot([left, left + 24], [height, height], color=LAYERS[role].rgb, lw=2.0)
-        axes.text(left + 32, height, names[role], color=SOFT, fontsize=11, va="center")
+        card.lines([np.array([(left, height), (left + 24, height)])], LAYERS[role].rgb, 2.0)
+        card.text(left + 32, height, names[role], 11)
         left += 60 + 8 * len(names[role])
     widths = [part.intake.width for part in patterns if part.intake is not None]
     neck = f"intake {length_text(max(widths), 3)} wide inside" if widths else "no intake"
-    caption(
-        axes,
-        f"{seam} {length_text(pattern.seal_width, 3)} wide, {length_text(pattern.seam_length)} long, {neck}",
+    card.caption(
+        f"{seam} {length_text(pattern.seal_width, 3)} wide, {length_text(pattern.seam_length)} long, {neck}"
     )
 
 
@@ -176,15 +166,12 @@ def _drawn(path: Path, frame: CardFrame) -> Floats:
     return frame(ring(path.curve.joints, path.curve.closed))
 
 
-def _balloon(axes: Any, designs: Sequence[Design], patterns: Sequence[Pattern]) -> None:
-    width, height = axes.get_xlim()[1], axes.get_ylim()[1]
-    box = (14, 56, width - 14, height - 64)
+def _balloon(card: Card, designs: Sequence[Design], patterns: Sequence[Pattern]) -> None:
     inflations = [design.inflation for design in designs]
-    picture = balloon_picture(inflations, patterns[0].seal_width, int(box[2] - box[0]), int(box[3] - box[1]))
-    axes.imshow(picture, extent=(box[0], box[2], box[1], box[3]), interpolation="nearest", zorder=2)
-    axes.set_xlim(0, width)
-    axes.set_ylim(0, height)
+    card.picture(
+        balloon_picture(inflations, patterns[0].seal_width, card.width - 28, card.height - 120), 14, 56
+    )
     positions = np.concatenate([inflation.positions for inflation in inflations])
     across, up, _ = np.ptp(positions, axis=0)
     size = size_text(across, up, 2.0 * float(positions[:, 2].max()))
-    caption(axes, f"{size}, {volume_text(sum(inflation.volume for inflation in inflations))}")
+    card.caption(f"{size}, {volume_text(sum(inflation.volume for inflation in inflations))}")

@@ -6,10 +6,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from BalloonWorkbench.core.geometry.normals import left_normals
 from BalloonWorkbench.core.geometry.polyline import bounds
-from BalloonWorkbench.core.geometry.raster import covered
+from BalloonWorkbench.core.geometry.raster import Nearest, covered, mixed, nearest_covers
 from BalloonWorkbench.core.geometry.triangulation import signed_areas
 from BalloonWorkbench.core.geometry.vectors import unit
 from BalloonWorkbench.core.solver.inflation import Inflation
@@ -61,18 +62,46 @@ def surface_picture(surface: Coloured, width: int, height: int) -> Floats:
         pixels = points * scale + shift
         return np.stack([pixels[:, 0], size[1] - pixels[:, 1]], axis=1)
 
-    image = np.zeros((size[1], size[0], 4))
-    shade = _rasterised(
-        to_pixels(flat_shadow), fallen[:, 2], triangles, np.ones((len(positions), 1)), image.shape
-    )
-    image[..., 3] = 0.34 * _blurred(shade[..., 0], max(2, int(0.018 * scale)))
+    shadow = np.zeros((height, width))
+    for part in covered(to_pixels(flat_shadow) / _OVERSAMPLING, triangles, *_middles(width, height)):
+        shadow[part.rows, part.columns] = 1.0
+    shadow = 0.34 * _blurred(shadow, max(1, int(0.018 * scale / _OVERSAMPLING)))
+    facing = triangles[_facing_viewer(to_pixels(flat), triangles)]
+    drawn = nearest_covers(to_pixels(flat), seen[:, 2], facing, *_middles(*size.tolist()))
     attributes = np.concatenate([normals @ turn.T, colours, seen], axis=1)
-    facing = _facing_viewer(to_pixels(flat), triangles)
-    drawn = _rasterised(to_pixels(flat), seen[:, 2], triangles[facing], attributes, image.shape)
-    hit = np.abs(drawn[..., :3]).sum(axis=-1) > 0.0
-    image[hit, :3] = _lit(drawn[hit])
-    image[hit, 3] = 1.0
-    return _reduced(image)
+    return _over(_means(drawn, facing, attributes, (height, width)), shadow)
+
+
+def _middles(width: int, height: int) -> tuple[Floats, Floats]:
+    """Where the pixels of a picture are."""
+    return np.arange(width) + 0.5, np.arange(height) + 0.5
+
+
+def _means(
+    drawn: Nearest, triangles: Ints, attributes: Floats, shape: tuple[int, int]
+) -> tuple[NDArray[np.intp], Floats, Floats]:
+    """Pixels (k,) of a picture (h, w) in which something is drawn, how much of each, its attributes (k, n)."""
+    pixel = (drawn.rows // _OVERSAMPLING) * shape[1] + drawn.columns // _OVERSAMPLING
+    count = np.bincount(pixel, minlength=shape[0] * shape[1])
+    hit = np.flatnonzero(count)
+    corners = triangles[drawn.number]
+    means = np.empty((len(hit), attributes.shape[1]))
+    for number, values in enumerate(attributes.T):
+        own = np.bincount(pixel, mixed(drawn.shares, values, corners), minlength=len(count))
+        means[:, number] = own[hit] / count[hit]
+    return hit, count[hit] / _OVERSAMPLING**2, means
+
+
+def _over(drawn: tuple[NDArray[np.intp], Floats, Floats], shadow: Floats) -> Floats:
+    """RGBA (h, w, 4) of what is drawn over its shadow (h, w), which is black."""
+    hit, share, means = drawn
+    image = np.zeros((*shadow.shape, 4))
+    image[..., 3] = shadow
+    flat = image.reshape(-1, 4)
+    below = flat[hit, 3] * (1.0 - share)
+    flat[hit, 3] = share + below
+    flat[hit, :3] = _lit(means) * (share / flat[hit, 3])[:, None]
+    return np.clip(image, 0.0, 1.0)
 
 
 def rgb(colour: str) -> Floats:
@@ -149,23 +178,6 @@ def _facing_viewer(pixels: Floats, triangles: Ints) -> Bools:
     return signed_areas(pixels, triangles) < 0.0  # rows of a picture run downward
 
 
-def _rasterised(
-    pixels: Floats, depth: Floats, triangles: Ints, attributes: Floats, shape: tuple[int, ...]
-) -> Floats:
-    """Attributes (h, w, k) of the nearest triangle in each pixel, 0 where there is none."""
-    height, width = shape[:2]
-    drawn = np.zeros((height, width, attributes.shape[1]))
-    nearest = np.full((height, width), -np.inf)
-    x, y = np.arange(width) + 0.5, np.arange(height) + 0.5
-    for number, rows, columns, shares in covered(pixels, triangles, x, y):
-        away = shares @ depth[triangles[number]]
-        before = away > nearest[rows, columns]
-        place = rows[before], columns[before]
-        nearest[place] = away[before]
-        drawn[place] = shares[before] @ attributes[triangles[number]]
-    return drawn
-
-
 def _lit(drawn: Floats) -> Floats:
     """Colours (n, 3) of metallic film from normals, film colours and places as the eye sees them."""
     normal = drawn[:, :3] / np.linalg.norm(drawn[:, :3], axis=1, keepdims=True)
@@ -215,12 +227,3 @@ def _blurred(image: Floats, radius: int) -> Floats:
                 - np.take(total, np.arange(length), axis=axis)
             ) / (2 * radius + 1)
     return image
-
-
-def _reduced(image: Floats) -> Floats:
-    """Averages of blocks of pixels, colours weighted by their opacity."""
-    step = _OVERSAMPLING
-    blocks = image.reshape(image.shape[0] // step, step, image.shape[1] // step, step, 4)
-    opacity = blocks[..., 3].mean(axis=(1, 3))
-    colour = (blocks[..., :3] * blocks[..., 3:]).mean(axis=(1, 3)) / np.maximum(opacity, 1e-9)[..., None]
-    return np.concatenate([np.clip(colour, 0.0, 1.0), opacity[..., None].clip(0.0, 1.0)], axis=-1)

@@ -64,7 +64,7 @@ def test_triangles_cover_each_place_of_a_grid_once(turned_over: bool) -> None:
     times, values = np.zeros((len(y), len(x)), dtype=int), np.full((len(y), len(x), 3), np.nan)
     for number, rows, columns, shares in covered(POINTS, triangles, x, y):
         times[rows, columns] += 1
-        values[rows, columns] = shares @ field(POINTS)[triangles[number]]
+        values[rows, columns] = (shares[..., None] * field(POINTS)[triangles[number]]).sum(axis=1)
     places = np.stack(np.meshgrid(x, y), axis=-1)
     inside = ((places > 0.0) & (places < 1.0)).all(axis=2)
     assert (times[inside] == 1).all()

@@ -12,7 +12,7 @@ from inflated import designed
 from matplotlib import image
 
 from BalloonWorkbench.core.pattern.build import build_pattern
-from BalloonWorkbench.core.pictures.cards import caption, card, cards_png
+from BalloonWorkbench.core.pictures.cards import Card, cards_png
 from BalloonWorkbench.core.pictures.preview import preview_png
 from BalloonWorkbench.core.pictures.render import balloon_picture
 
@@ -77,16 +77,14 @@ def test_balloon_picture_shows_the_shape() -> None:
 
 def test_a_long_caption_stays_on_its_card() -> None:
     """It is written smaller rather than cut off at the next card."""
-    drawn = []
-
-    def draw(figure) -> None:
-        axes = card(figure, 26, 26, 480, 464, "Title")
-        caption(axes, "worst: 12.34 mm (1.23 %) off, 56.78 mm at most; yellow: missed; violet: may crease")
-        caption(axes, "Short")
-        drawn.extend(
-            (text.get_window_extent(figure.canvas.get_renderer()), text.get_fontsize()) for text in axes.texts
+    texts = "Short", "worst: 12.34 mm (1.23 %) off, 56.78 mm at most; yellow: missed; violet: may crease"
+    inked = []
+    for text in texts:
+        pixels = pixels_of(
+            cards_png(lambda canvas, text=text: Card(canvas, 26, 26, 480, 464, "T").caption(text))
         )
-
-    cards_png(draw)
-    assert all(box.x1 <= 26 + 480 - 20 for box, _ in drawn)
-    assert drawn[-1][1] > drawn[-2][1]
+        rows, columns = np.nonzero((pixels[930:965, 32:500] < 0.8).any(axis=2))
+        assert 32 + columns.max() <= 26 + 480 - 20
+        inked.append((np.ptp(columns), np.ptp(rows)))
+    assert inked[1][0] > 400
+    assert inked[1][1] < inked[0][1]
