@@ -42,6 +42,7 @@ from BalloonWorkbench.core.job import (
     make_balloon,
     makers,
     report_bytes,
+    sheet_makers,
 )
 from BalloonWorkbench.core.language.speech import speech
 from BalloonWorkbench.core.machines.bed import SCALE
@@ -138,13 +139,12 @@ class _Run:
 
     def command(self, options: argparse.Namespace) -> int:
         """Do what the options say."""
-        width, height = options.width, options.height
         settings = _settings(options)
         for name in (options.input, options.artwork, options.artwork_back, *options.machine):
             _refuse_streams(name)
         # a mistake shows before the work
-        many = self._many = has_many_panels(options.input, settings.body, settings.side_band)
-        if many:
+        self._many = has_many_panels(options.input, settings.body, settings.side_band)
+        if self._many:
             many_panels.check(options)
         chosen, doubts = machines_for(settings.film, bed.machines_of(options))
         make = making.checked(options, _decode(), self.say)
@@ -152,33 +152,17 @@ class _Run:
         load.use_threads(options.threads)
         line = console.StatusLine(sys.stderr)
         progress = self._progress(line)
-
-        def design(size: bed.Size, scale: float = 1.0) -> Balloon | FinishedBags:
-            known: dict[str, Any] = {"progress": progress, "attempt": self._attempt, **_readers(many)}
-            if not many:
-                return make_balloon(options.input, settings, width=size[0], height=size[1], **known)
-            from BalloonWorkbench.core.bag_job import make_bags
-
-            if form_of(options.input) == PANELS:  # it has its own size; another one is refused
-                asked = {"width": options.width, "height": options.height}
-                return make_bags(options.input, settings, scale=scale, **asked, **known)
-            return make_bags(options.input, settings, width=size[0], height=size[1], **known)
-
-        smaller: list[str] = []
         try:
-            balloon = design((width, height))
-            if options.oversize == SCALE:
-                balloon, (width, height), smaller = bed.scaled_to_fit(
-                    balloon, chosen, (width, height), design
-                )
-            if settings.goal is not None:
-                width = balloon.width
+            balloon, size, smaller = self._balloon(options, settings, chosen, progress)
+            progress(1.0, "writing files")
+            contents = self._pattern_files(balloon, options.only)  # whose curves the document has too
             with (
                 self._file_of(options.input, balloon) as file,
-                self._document(options, file, balloon, (width, height)) as document,
+                self._document(options, file, balloon, size) as document,
             ):
-                contents, lines = self._contents(balloon, chosen, options, make, progress)
+                more, lines = self._contents(balloon, chosen, options, make, progress)
                 made = document and self._attempt(cli_document.NAME, document.content)
+            contents |= more
             if made:
                 contents[cli_document.NAME] = made
         finally:
@@ -193,6 +177,42 @@ class _Run:
             balloon, [*(self.say(f"Check: {doubt}") for doubt in doubts), *map(self.say, smaller), *lines]
         )
 
+    def _balloon(
+        self, options: argparse.Namespace, settings: Settings, chosen: Sequence[Machine], progress: Progress
+    ) -> tuple[Balloon | FinishedBags, bed.Size, list[str]]:
+        """The finished job, the size of its drawing, and a line for the user where it is smaller."""
+
+        def design(size: bed.Size, scale: float = 1.0) -> Balloon | FinishedBags:
+            known: dict[str, Any] = {
+                "progress": progress,
+                "attempt": self._attempt,
+                **_readers(self._many),
+                **dict(zip(("width", "height"), size, strict=True)),
+            }
+            if not self._many:
+                return make_balloon(options.input, settings, **known)
+            from BalloonWorkbench.core.bag_job import make_bags
+
+            if form_of(options.input) == PANELS:  # it has its own size; another one is refused
+                known |= {"width": options.width, "height": options.height, "scale": scale}
+            return make_bags(options.input, settings, **known)
+
+        size, smaller = (options.width, options.height), list[str]()
+        balloon = design(size)
+        if options.oversize == SCALE:
+            balloon, size, smaller = bed.scaled_to_fit(balloon, chosen, size, design)
+        return balloon, (size if settings.goal is None else (balloon.width, size[1])), smaller
+
+    def _pattern_files(self, balloon: Balloon | FinishedBags, only: tuple[str, ...]) -> dict[str, bytes]:
+        """Contents of the files of all that is cut, those that can be made and are wanted."""
+        makers = self._attempt("The file of the pattern", lambda: sheet_makers(balloon.sheet))
+        return self._made(makers or {}, only)
+
+    def _made(self, makers: dict[str, Callable[[], bytes]], only: tuple[str, ...]) -> dict[str, bytes]:
+        """Contents of the files that can be made and are wanted, by name."""
+        made = {name: self._attempt(name, make) for name, make in makers.items() if is_wanted(name, only)}
+        return {name: content for name, content in made.items() if content is not None}
+
     def _contents(
         self,
         balloon: Balloon | FinishedBags,
@@ -201,14 +221,8 @@ class _Run:
         make: Callable[..., Any],
         progress: Progress,
     ) -> tuple[dict[str, bytes], list[str]]:
-        """Contents of the files that can be made, by name, and lines for the user."""
-        progress(1.0, "writing files")
-        contents: dict[str, bytes] = {}
-        pattern_makers = self._attempt("The file of the pattern", lambda: self._makers(balloon, options.results))
-        for name, maker in (pattern_makers or {}).items():
-            content = self._attempt(name, maker) if is_wanted(name, options.only) else None
-            if content is not None:
-                contents[name] = content
+        """Contents of the other files that can be made, by name, and lines for the user."""
+        contents = self._made(self._makers(balloon, options.results), options.only)
         if options.frames is not None:
             blown, film = [design.inflation for design in balloon.designs], balloon.settings.film
             blow_up = partial(inflation_files, blown, film, options.frames, progress)
@@ -288,7 +302,9 @@ class _Run:
     def _print_summary(self, balloon: Balloon | FinishedBags, lines: Sequence[str]) -> int:
         """Tell what was found and written; the exit code."""
         say, settings = self.say, balloon.settings
-        output = (bag_summary if self._many else summary)(balloon.report, settings.film, settings.correct, say)
+        output = (bag_summary if self._many else summary)(
+            balloon.report, settings.film, settings.correct, say
+        )
         slow = self._slow_notes() if settings.backend is None else []
         output += [say(f"Note: {say(note)}") for note in (*self._left_out, *slow)]
         output += [*lines, *(say(f"Wrote {path}") for path in self._paths)]

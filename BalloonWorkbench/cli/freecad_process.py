@@ -19,6 +19,7 @@ from pathlib import Path
 
 from BalloonWorkbench.core.errors import BalloonError, InputError, MissingPackageError, ProgramFault
 from BalloonWorkbench.core.faults import report_fault
+from BalloonWorkbench.core.memoize import hand_over, results
 
 #: How the process ends: FreeCAD cannot, what it was given is wrong, an unforeseen error.
 _REFUSED, _WRONG, _FAULT = 2, 3, 70
@@ -56,7 +57,7 @@ class FreecadProcess:
         )
         assert self._process.stdin is not None
         with contextlib.suppress(BrokenPipeError), self._process.stdin as pipe:
-            pipe.write(pickle.dumps(arguments))
+            pipe.write(pickle.dumps((arguments, results())))
 
     def content(self) -> bytes:
         """The finished result.
@@ -98,7 +99,8 @@ def _limit(seconds: int) -> None:
 
 def _made(module: str, work: str, request: bytes) -> bytes:
     """The result of a module's work. MissingPackageError where FreeCAD cannot."""
-    arguments = pickle.loads(request)
+    arguments, known = pickle.loads(request)
+    hand_over(known)  # FreeCAD's objects ask for what the program has worked out
     try:
         importlib.import_module("FreeCAD")  # before its parts, which fail without it
         return bytes(importlib.import_module(module).make(*arguments))

@@ -49,7 +49,7 @@ from BalloonWorkbench.core.design.size_goal import START_WIDTH, Buoyancy, Scalin
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.filling import GRAVITY
 from BalloonWorkbench.core.film.film import Film
-from BalloonWorkbench.core.job import Settings, numbered, read_shapes, share_of, sheet_makers
+from BalloonWorkbench.core.job import Settings, numbered, read_shapes, share_of
 from BalloonWorkbench.core.making.bag_numbers import bag_numbers, inner_film, width_of
 from BalloonWorkbench.core.making.numbers import Numbers, numbers_report
 from BalloonWorkbench.core.making.trade_figures import making
@@ -60,7 +60,6 @@ from BalloonWorkbench.core.outline.budget import Budget
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.layout import on_one_sheet
 from BalloonWorkbench.core.pattern.pattern import Pattern
-from BalloonWorkbench.core.pictures.bag_preview import bag_preview_png
 from BalloonWorkbench.core.readers.vector import read_bytes
 from BalloonWorkbench.core.reports.bag_report import build_bag, together_bags
 from BalloonWorkbench.core.results.off_target import off_target
@@ -365,10 +364,13 @@ def _welding(part: BagPart, settings: Settings) -> dict[str, Any]:
 
 
 def bag_makers(bags: FinishedBags, results: str | None = None) -> dict[str, Callable[[], bytes]]:
-    """What makes each file of a finished job but the report, by name; as `makers` for two panels."""
+    """What makes files of a finished job by name; as `makers` for two panels."""
+    from BalloonWorkbench.core.pictures.bag_preview import bag_preview_png
+
     film = bags.settings.film
-    named = sheet_makers(bags.sheet)
-    named["balloon.stl"] = lambda: stl_bytes([design.inflation for design in bags.designs])
+    named: dict[str, Callable[[], bytes]] = {
+        "balloon.stl": lambda: stl_bytes([design.inflation for design in bags.designs])
+    }
     for number, part in enumerate(bags.parts):
         named[f"{numbered('preview', number)}.png"] = partial(bag_preview_png, part.design, part.patterns)
         if results is not None:

@@ -15,7 +15,6 @@ import tempfile
 import traceback
 from collections.abc import Iterator
 from contextlib import suppress
-from importlib import metadata
 from pathlib import Path
 
 from BalloonWorkbench.core.errors import BalloonError, ProgramFault
@@ -157,6 +156,8 @@ def _heading(doing: str) -> str:
 
 
 def _installed(package: str) -> str:
+    from importlib import metadata
+
     try:
         return metadata.version(package)
     except metadata.PackageNotFoundError:

@@ -305,7 +305,7 @@ def files(balloon: Balloon, results: str | None = None) -> dict[str, bytes]:
     results: "vtu" or "npz" adds a file about every triangle.
     """
     contents, left_out = {}, []
-    for name, make in makers(balloon, results).items():
+    for name, make in (sheet_makers(balloon.sheet) | makers(balloon, results)).items():
         try:
             contents[name] = make()
         except MissingPackageError as error:
@@ -314,7 +314,7 @@ def files(balloon: Balloon, results: str | None = None) -> dict[str, bytes]:
 
 
 def makers(balloon: Balloon, results: str | None = None) -> dict[str, Callable[[], bytes]]:
-    """What makes each file of a finished job but the report, by name.
+    """What makes the files of a finished job by name, but the report and those of all that is cut.
 
     results: as in `files`. They raise MissingPackageError.
     """
@@ -322,7 +322,6 @@ def makers(balloon: Balloon, results: str | None = None) -> dict[str, Callable[[
 
     film = balloon.settings.film
     named: dict[str, Callable[[], bytes]] = {
-        **sheet_makers(balloon.sheet),
         "balloon.stl": lambda: stl_bytes([design.inflation for design in balloon.designs]),
         "preview.png": lambda: preview_png(balloon.designs, balloon.patterns, film.seam),
     }

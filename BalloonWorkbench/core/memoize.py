@@ -25,6 +25,8 @@ _Result = TypeVar("_Result")
 #: Arguments that watch the work, or end it, and do not change what comes of it.
 _WATCHING = ("progress", "budget")
 _memories: list[Memoized[..., Any]] = []
+#: Results of another process, by the name of the function.
+_handed_over: dict[str, dict[bytes, Any]] = {}
 
 
 class Memoized(Generic[_Arguments, _Result]):
@@ -33,7 +35,8 @@ class Memoized(Generic[_Arguments, _Result]):
     def __init__(self, function: Callable[_Arguments, _Result], most: int) -> None:
         self._function, self._most = function, most
         self._signature = signature(function)
-        self._results: dict[bytes, _Result] = {}
+        self.name = f"{function.__module__}.{function.__qualname__}"
+        self._results: dict[bytes, _Result] = dict(_handed_over.get(self.name, {}))
         _memories.append(self)
         update_wrapper(self, function)
 
@@ -71,8 +74,21 @@ def memoized(
     return lambda function: Memoized(function, most)
 
 
+def results() -> dict[str, dict[bytes, Any]]:
+    """All results that are known, to be handed to another process of the same program."""
+    return {memory.name: dict(memory._results) for memory in _memories if memory._results}
+
+
+def hand_over(results: dict[str, dict[bytes, Any]]) -> None:
+    """Know what another process of the same program has worked out."""
+    _handed_over.update(results)
+    for memory in _memories:
+        memory._results |= results.get(memory.name, {})
+
+
 def forget() -> None:
     """Forget all results: the next ones are worked out."""
+    _handed_over.clear()
     for memory in _memories:
         memory._results.clear()
 

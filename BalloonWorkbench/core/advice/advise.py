@@ -64,6 +64,7 @@ def advise(outline: Outline, film: Film, *, fitted: bool = True, options: Patter
     return _advice(Subject(outline, film, gauge, fitted, outline, options), inflated=False)
 
 
+@memoized(most=8)  # report and document ask for it
 def advise_design(design: Design, film: Film, *, options: PatternOptions = _USUAL) -> Advice:
     """Advice from a finished design, in the frame of its drawing; arguments as for `advise`."""
     fitted = design.passes > 0

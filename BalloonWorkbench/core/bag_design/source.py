@@ -42,6 +42,7 @@ class Readers:
 
 NO_READERS = Readers()
 
+
 def check_together(
     path: str | Path,
     form: str | None,

@@ -52,6 +52,7 @@ from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.symmetry import exact_mirror, mirrored
 from BalloonWorkbench.core.outline.validity import check
 from BalloonWorkbench.core.panels.panel import Panel
+from BalloonWorkbench.core.rounded import rounded_outline
 from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.solver.problem import NewtonSettings
 from BalloonWorkbench.core.types import Progress, no_progress
@@ -262,7 +263,8 @@ class _Correction:
 
     def _as_cut(self, proof: Iterate) -> Iterate:
         """The balloon of the pattern as it is cut: the same, unless its seam is scattered and is faired."""
-        drawn = proof.seam_map.pattern
+        # as documents keep it: what is worked out for its curves here is known from here on
+        drawn = rounded_outline(proof.seam_map.outline).loops
         cut = tuple(map(faired_points, drawn))
         if all(new is old for new, old in zip(cut, drawn, strict=True)):
             return proof

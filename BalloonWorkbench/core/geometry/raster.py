@@ -69,7 +69,7 @@ def _covered_by(
 
 
 class Nearest(NamedTuple):
-    """Of each place (k,) of a grid that triangles cover: row and column, the triangle, area coordinates (k, 3)."""
+    """Of each covered place (k,) of a grid: row, column, the triangle's number, area coordinates (k, 3)."""
 
     rows: NDArray[np.intp]
     columns: NDArray[np.intp]
@@ -83,7 +83,7 @@ def mixed(shares: Floats, values: Floats, corners: Ints) -> Floats:
 
 
 def nearest_covers(points: Floats, height: Floats, triangles: Ints, x: Floats, y: Floats) -> Nearest:
-    """Of the triangles (m, 3) over each place of a grid the one that is highest there; height (n,) of points."""
+    """Of the triangles (m, 3) over each place of a grid the highest one; height (n,) is that of the points."""
     highest = np.full(len(x) * len(y), -np.inf)
     number, shares = np.zeros(len(highest), dtype=np.intp), np.zeros((len(highest), 3))
     for cover in covered(points, triangles, x, y):

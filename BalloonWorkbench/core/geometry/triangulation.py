@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from BalloonWorkbench.core.geometry.nearest import kd_tree
@@ -47,6 +49,7 @@ class Located:
         self._triangles = triangles
         a, b, c = np.moveaxis(points[triangles], 1, 0)
         self._origin = c
+        self._low, self._high = points[triangles].min(axis=1), points[triangles].max(axis=1)
         u, v = a - c, b - c
         area = cross(u, v)
         area = np.where(np.abs(area) < 1e-300, 1e-300, area)[:, None]
@@ -62,21 +65,55 @@ class Located:
 
     def under(self, places: Floats) -> Ints:
         """The triangles in which places (k, 2) lie, of those inside; that of the nearest where none is."""
-        best, weights = self._triangles_at(places)
+        best, weights = self._enclosing(places)
+        if (best >= 0).any():
+            return np.asarray(best[best >= 0])
+        best, weights = self._of_all(places)
         depth = weights.min(axis=1)
         return np.asarray(best[depth >= min(0.0, float(depth.max()))])
 
     def _triangles_at(self, places: Floats) -> tuple[Ints, Floats]:
         """Of each place (k, 2) the triangle, and its area coordinates there (k, 3), negative outside."""
-        nearest, weights = np.empty(len(places), dtype=np.int32), np.empty((len(places), 3))
+        nearest, weights = self._enclosing(places)
+        outside = np.flatnonzero(nearest < 0)  # or on a side, where rounding decides
+        nearest[outside], weights[outside] = self._of_all(places[outside])
+        return nearest, weights
+
+    def _enclosing(self, places: Floats) -> tuple[Ints, Floats]:
+        """The same for places inside a triangle, -1 for others: only triangles round a place are tried."""
+        low, high = self._low, self._high
+        tried = [
+            np.stack(np.nonzero(((some[:, None] >= low) & (some[:, None] <= high)).all(axis=2)))
+            + np.array([[first], [0]])
+            for first, some in self._in_chunks(places)
+        ]
+        place, triangle = np.concatenate(tried, axis=1)
+        share = np.einsum("kab,kb->ka", self._rows[triangle], places[place] - self._origin[triangle])
+        each = np.concatenate([share, 1.0 - share.sum(axis=1, keepdims=True)], axis=1)
+        depth = each.min(axis=1)
+        order = np.lexsort(
+            (-triangle, depth, place)
+        )  # the deepest of each place is the last, as the first is
+        order = order[depth[order] >= 0.0]
+        nearest, weights = np.full(len(places), -1, dtype=np.int32), np.empty((len(places), 3))
+        nearest[place[order]], weights[place[order]] = triangle[order], each[order]
+        return nearest, weights
+
+    def _in_chunks(self, places: Floats) -> Iterator[tuple[int, Floats]]:
+        """Places, some after the other, each time with the number of the first."""
         step = max(1, _CHUNK // max(len(self._triangles), 1))
         for first in range(0, len(places), step):
-            some = places[first : first + step]
+            yield first, places[first : first + step]
+
+    def _of_all(self, places: Floats) -> tuple[Ints, Floats]:
+        """The same for any places, each tried with all triangles."""
+        nearest, weights = np.empty(len(places), dtype=np.int32), np.empty((len(places), 3))
+        for first, some in self._in_chunks(places):
             share = np.einsum("mab,kmb->kma", self._rows, some[:, None] - self._origin[None])
             each = np.concatenate([share, 1.0 - share.sum(axis=2, keepdims=True)], axis=2)
             best = np.argmax(each.min(axis=2), axis=1)
-            nearest[first : first + step] = best
-            weights[first : first + step] = each[np.arange(len(some)), best]
+            nearest[first : first + len(some)] = best
+            weights[first : first + len(some)] = each[np.arange(len(some)), best]
         return nearest, weights
 
 

@@ -45,7 +45,7 @@ class RunOptions:
 
 
 def is_wanted(name: str, only: tuple[str, ...]) -> bool:
-    """Whether a file is written, of those of `RunOptions.only`; one that was asked for by itself always is."""
+    """Whether a file is wanted, of those of `RunOptions.only`; one that is asked for by itself always is."""
     stem = name.partition(".")[0].partition("-")[0]
     kind = "document" if name.endswith(".FCStd") else stem
     return not only or kind in only or kind not in option_of(RunOptions, "only").titles

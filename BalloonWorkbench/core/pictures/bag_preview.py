@@ -21,7 +21,6 @@ from BalloonWorkbench.core.pictures.canvas import Canvas
 from BalloonWorkbench.core.pictures.cards import (
     CARD,
     HEIGHT,
-    SOFT,
     WIDTH,
     Card,
     CardFrame,

@@ -79,7 +79,7 @@ class Canvas:
     def box(self, low: tuple[float, float], high: tuple[float, float], fill: str, edge: str) -> None:
         """A box with round corners and an edge of a point."""
         for inner, colour in ((0.0, edge), (_POINT, fill)):
-            corners = np.array([low, high]) + [[inner], [-inner]]
+            corners = np.array([low, high]) + np.array([[inner], [-inner]])
 
             def drawn(draw: Any, to_mask: Callable[[Floats], Any], corners: Floats = corners) -> None:
                 (left, bottom), (right, top) = to_mask(corners)
@@ -173,7 +173,7 @@ def _pillow() -> tuple[Any, Any, Callable[[float, bool], Any]]:
     """Pillow's images, what draws on them, and fonts by their height in pixels."""
     try:
         import matplotlib
-        from PIL import Image, ImageDraw, ImageFont
+        from PIL import Image, ImageDraw, ImageFont  # type: ignore[import-untyped]
     except ImportError as error:
         raise MissingPackageError(
             "The preview picture needs matplotlib: install it with pip install matplotlib."

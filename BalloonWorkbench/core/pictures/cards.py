@@ -20,7 +20,7 @@ _HEAD = 5.6, 2.8
 
 
 def cards_png(draw: Callable[[Canvas], None]) -> bytes:
-    """The PNG of what is drawn on a sheet; the same bytes for the same. MissingPackageError without matplotlib."""
+    """The PNG of what is drawn on a sheet, the same bytes for the same. MissingPackageError."""
     canvas = Canvas(WIDTH, HEIGHT, PAPER)
     draw(canvas)
     return canvas.png()

@@ -80,7 +80,7 @@ def _middles(width: int, height: int) -> tuple[Floats, Floats]:
 def _means(
     drawn: Nearest, triangles: Ints, attributes: Floats, shape: tuple[int, int]
 ) -> tuple[NDArray[np.intp], Floats, Floats]:
-    """Pixels (k,) of a picture (h, w) in which something is drawn, how much of each, its attributes (k, n)."""
+    """Pixels (k,) of a picture (h, w) with something in them, how much of each, its attributes (k, n)."""
     pixel = (drawn.rows // _OVERSAMPLING) * shape[1] + drawn.columns // _OVERSAMPLING
     count = np.bincount(pixel, minlength=shape[0] * shape[1])
     hit = np.flatnonzero(count)

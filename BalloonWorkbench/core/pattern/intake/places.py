@@ -185,11 +185,8 @@ def _is_free(film: Any, rim: Rim, places: Floats, wish: Wish, margin: float) -> 
     width, length = wish.width, max(from_mm(30.0), 3.0 * wish.width)
     turns = np.array([_square(rim, place, wish) for place in places.tolist()])
     ahead, points = direction(turns), rim.points_at(places)
-    sides = [
-        rectangle(at, way, margin, margin + length, width + margin)
-        for at, way in zip(points, ahead, strict=True)
-    ]
-    mouths = [before_mouth(at, way, length, width, margin) for at, way in zip(points, ahead, strict=True)]
+    sides = rectangle(points, ahead, margin, margin + length, width + margin)
+    mouths = before_mouth(points, ahead, length, width, margin)
     cut = offset(film, margin)
     for area in (film, cut):
         package.prepare(area)
@@ -304,7 +301,7 @@ def before_mouth(at: Floats, ahead: Floats, length: float, width: float, margin:
 
 
 def rectangle(at: Floats, ahead: Floats, start: float, end: float, width: float) -> Any:
-    """A strip across a direction `ahead` (2,), from `start` to `end` along it [m]."""
+    """A strip across a direction `ahead` (2,), from `start` to `end` along it [m]; for (n, 2) many."""
     side = 0.5 * width * perpendicular(ahead)
     near, far = at + start * ahead, at + end * ahead
-    return shapely().Polygon([near - side, far - side, far + side, near + side])
+    return shapely().polygons(np.stack([near - side, far - side, far + side, near + side], axis=-2))
