@@ -2,6 +2,7 @@
 """Speed, as ratios within one run: build/bench/*.json and docs/benchmarks.md.
 
 bench.py [--sizes N ...] [--evolver-sizes N ...]
+bench.py --commands  only whole commands: the rest of the page stays as it is
 bench.py --strokes   only how soon a stroke is a balloon on the screen: the rest of the page stays as it is
 """
 
@@ -11,7 +12,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from speed import page, strokes, suite
+from speed import commands, page, strokes, suite
 
 ROOT = Path(__file__).resolve().parents[1]
 
@@ -22,11 +23,15 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("--sizes", type=int, nargs="+", default=[500, 2000, 10000, 50000])
     parser.add_argument("--evolver-sizes", type=int, nargs="*", default=[2000, 10000])
     parser.add_argument("--strokes", action="store_true")
+    parser.add_argument("--commands", action="store_true")
     options = parser.parse_args(arguments)
     folder = ROOT / "build" / "bench"
     folder.mkdir(parents=True, exist_ok=True)
     file = ROOT / "docs" / "benchmarks.md"
-    if options.strokes:
+    if options.commands:
+        measured = commands.measure(folder)
+        text = page.with_commands(file.read_text(encoding="utf-8"), measured, commands.loading())
+    elif options.strokes:
         text = page.with_strokes(file.read_text(encoding="utf-8"), strokes.measure(folder))
     else:
         text = page.written(

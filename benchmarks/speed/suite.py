@@ -13,7 +13,7 @@ from datetime import date
 from pathlib import Path
 from typing import Any, TextIO
 
-from speed import cases, evolver, machine, startup, strokes
+from speed import cases, commands, evolver, machine, startup, strokes
 
 SHAPES = ("disc", "square", "star")
 EVOLVER_SHAPES = ("disc", "square", "heart")
@@ -37,6 +37,8 @@ def measure(folder: Path, sizes: list[int], evolver_sizes: list[int], log: TextI
         "load_before": machine.load(),
         "start_ms": startup.milliseconds(folder),
         "strokes": strokes.measure(folder),
+        "commands": commands.measure(folder),
+        "loading": commands.loading(),
         "solves": [],
         "numpy": [],
         "evolver": [],

@@ -13,7 +13,7 @@ from test_house import layer, named, tree
 
 from BalloonWorkbench.core.arcs import fit_arcs as arcs
 from BalloonWorkbench.core.arcs.fit_arcs import fit_curve
-from BalloonWorkbench.core.memoize import forget, memoized
+from BalloonWorkbench.core.memoize import forget, hand_over, memoized, results
 from BalloonWorkbench.core.types import Floats
 
 
@@ -60,6 +60,25 @@ def test_every_bit_of_a_request_counts() -> None:
     assert echo.knows(different[-1])
     forget()
     assert not echo.knows(different[-1])
+
+
+def test_results_are_handed_over_to_another_process() -> None:
+    """Also to functions that are loaded after that; what was asked there is not worked out again."""
+    calls: list[int] = []
+
+    def double(number: int) -> int:
+        calls.append(number)
+        return 2 * number
+
+    first = memoized(most=2)(double)
+    first(4)
+    known = {name: kept for name, kept in results().items() if name == first.name}
+    forget()
+    hand_over(known)
+    assert [first(4), memoized(most=2)(double)(4), calls] == [8, 8, [4]]
+    assert [first(5), calls] == [10, [4, 5]]
+    forget()
+    assert [memoized(most=2)(double)(4), calls] == [8, [4, 5, 4]]
 
 
 def test_what_is_no_value_is_refused() -> None:

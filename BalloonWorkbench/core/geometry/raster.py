@@ -83,7 +83,7 @@ def mixed(shares: Floats, values: Floats, corners: Ints) -> Floats:
 
 
 def nearest_covers(points: Floats, height: Floats, triangles: Ints, x: Floats, y: Floats) -> Nearest:
-    """Of the triangles (m, 3) over each place of a grid the highest one; height (n,) is that of the points."""
+    """Of the triangles (m, 3) over each place of a grid the highest one; height (n,) of the points."""
     highest = np.full(len(x) * len(y), -np.inf)
     number, shares = np.zeros(len(highest), dtype=np.intp), np.zeros((len(highest), 3))
     for cover in covered(points, triangles, x, y):
