@@ -20,7 +20,6 @@ from BalloonWorkbench.cli.freecad_process import FreecadProcess
 from BalloonWorkbench.cli.home import home
 from BalloonWorkbench.cli.options import FETCH, language_of, parser, typed
 from BalloonWorkbench.cli.summary import bag_summary, summary
-from BalloonWorkbench.core.bag_design.form import PANELS, form_of, has_many_panels
 from BalloonWorkbench.core.design.size_goal import SizeGoal
 from BalloonWorkbench.core.errors import (
     BalloonError,
@@ -56,6 +55,7 @@ from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.options.simulation import InflationOptions, ModelOptions
 from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.solver.native import load
+from BalloonWorkbench.core.targets.form import PANELS, form_of, has_many_panels
 from BalloonWorkbench.core.tracing.raster import opencv
 from BalloonWorkbench.core.types import Made, Progress, Say, in_english
 from BalloonWorkbench.core.units import number_text

@@ -10,8 +10,8 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from BalloonWorkbench.core.bag_design.form import PANELS, form_of
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.targets.form import PANELS, form_of
 
 if TYPE_CHECKING:
     from BalloonWorkbench.core.bag_job import FinishedBags

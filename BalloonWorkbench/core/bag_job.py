@@ -24,7 +24,6 @@ from BalloonWorkbench.core.advice.many_panels.bag_advice import bag_advice
 from BalloonWorkbench.core.bag_design.bag_design import BagDesign
 from BalloonWorkbench.core.bag_design.band_fit import fit_band
 from BalloonWorkbench.core.bag_design.band_width import band_for_thickness
-from BalloonWorkbench.core.bag_design.form import MESH, PANELS, SOLID, form_of
 from BalloonWorkbench.core.bag_design.gore_count import fit_to_accuracy, gores_needed, judged
 from BalloonWorkbench.core.bag_design.gore_fit import RisingPressure, fit_gores, inflate_gores
 from BalloonWorkbench.core.bag_design.inflate_bag import inflate_bag
@@ -70,6 +69,7 @@ from BalloonWorkbench.core.rounded import rounded
 from BalloonWorkbench.core.solver.volume_load import search_pressure
 from BalloonWorkbench.core.target_design.fit_target import TargetMode, fit_target, inflate_target
 from BalloonWorkbench.core.target_design.panel_count import fit_body_to_accuracy
+from BalloonWorkbench.core.targets.form import MESH, PANELS, SOLID, form_of
 from BalloonWorkbench.core.targets.target import Division
 from BalloonWorkbench.core.types import Attempt, Progress, insist, no_progress, part_of, rising
 

@@ -11,13 +11,13 @@ import Part
 from BalloonWorkbench.app.drawings.face_strips import MOST_STRIPS, in_strips
 from BalloonWorkbench.app.drawings.face_surfaces import developable_of
 from BalloonWorkbench.app.drawings.solid_mesh import SolidMesh, edge_lines, mesh_of
-from BalloonWorkbench.core.bag_design.form import SOLIDS
 from BalloonWorkbench.core.bag_design.source import of_size, target_of_size
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.flattening.developable import face_flats
 from BalloonWorkbench.core.flattening.divide_flat import check_flat, divide_flat
 from BalloonWorkbench.core.options.body import PANELS
 from BalloonWorkbench.core.segmentation.discs import pieces_apart
+from BalloonWorkbench.core.targets.form import SOLIDS
 from BalloonWorkbench.core.targets.half_edges import twins
 from BalloonWorkbench.core.targets.mesh_files import RawMesh
 from BalloonWorkbench.core.targets.read_target import LARGEST, SMALLEST, read_target, target_of

@@ -9,7 +9,6 @@ from pathlib import Path
 
 import numpy as np
 
-from BalloonWorkbench.core.bag_design.form import MESH, PANELS, SOLID, form_of
 from BalloonWorkbench.core.bags.bag import Bag
 from BalloonWorkbench.core.bodies.profile import Profile
 from BalloonWorkbench.core.bodies.read_profile import read_profile
@@ -22,6 +21,7 @@ from BalloonWorkbench.core.options.body import PANELS as PANELS_OF_MESH
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.seam_edits.apply_edits import apply_edits
 from BalloonWorkbench.core.seam_edits.read_seams import edits_in
+from BalloonWorkbench.core.targets.form import MESH, PANELS, SOLID, form_of
 from BalloonWorkbench.core.targets.read_target import read_target
 from BalloonWorkbench.core.targets.target import Division, Target
 from BalloonWorkbench.core.tracing.picture import Decode

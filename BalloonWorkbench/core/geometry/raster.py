@@ -68,7 +68,7 @@ def _covered_by(
     return Cover(numbers[which[held]], rows[held], columns[held], shares)
 
 
-class Nearest(NamedTuple):
+class NearestCover(NamedTuple):
     """Of each covered place (k,) of a grid: row, column, the triangle's number, area coordinates (k, 3)."""
 
     rows: NDArray[np.intp]
@@ -82,7 +82,7 @@ def mixed(shares: Floats, values: Floats, corners: Ints) -> Floats:
     return np.asarray(sum(shares[:, side] * values[corners[:, side]] for side in range(3)))
 
 
-def nearest_covers(points: Floats, height: Floats, triangles: Ints, x: Floats, y: Floats) -> Nearest:
+def nearest_covers(points: Floats, height: Floats, triangles: Ints, x: Floats, y: Floats) -> NearestCover:
     """Of the triangles (m, 3) over each place of a grid the highest one; height (n,) of the points."""
     highest = np.full(len(x) * len(y), -np.inf)
     number, shares = np.zeros(len(highest), dtype=np.intp), np.zeros((len(highest), 3))
@@ -94,4 +94,4 @@ def nearest_covers(points: Floats, height: Floats, triangles: Ints, x: Floats, y
         number[place[order]], shares[place[order]] = cover.number[order], cover.shares[order]
         highest[place[order]] = above[order]
     seen = np.flatnonzero(highest > -np.inf)
-    return Nearest(*np.divmod(seen, len(x)), number[seen], shares[seen])
+    return NearestCover(*np.divmod(seen, len(x)), number[seen], shares[seen])

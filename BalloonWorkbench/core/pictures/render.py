@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from BalloonWorkbench.core.geometry.normals import left_normals
 from BalloonWorkbench.core.geometry.polyline import bounds
-from BalloonWorkbench.core.geometry.raster import Nearest, covered, mixed, nearest_covers
+from BalloonWorkbench.core.geometry.raster import NearestCover, covered, mixed, nearest_covers
 from BalloonWorkbench.core.geometry.triangulation import signed_areas
 from BalloonWorkbench.core.geometry.vectors import unit
 from BalloonWorkbench.core.solver.inflation import Inflation
@@ -78,7 +78,7 @@ def _middles(width: int, height: int) -> tuple[Floats, Floats]:
 
 
 def _means(
-    drawn: Nearest, triangles: Ints, attributes: Floats, shape: tuple[int, int]
+    drawn: NearestCover, triangles: Ints, attributes: Floats, shape: tuple[int, int]
 ) -> tuple[NDArray[np.intp], Floats, Floats]:
     """Pixels (k,) of a picture (h, w) with something in them, how much of each, its attributes (k, n)."""
     pixel = (drawn.rows // _OVERSAMPLING) * shape[1] + drawn.columns // _OVERSAMPLING

@@ -9,9 +9,9 @@ import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.files.user_file import read_whole
+from BalloonWorkbench.core.targets.form import MESHES
 from BalloonWorkbench.core.targets.mending.repair import mended, uncrossed
 from BalloonWorkbench.core.targets.mesh_files import RawMesh, read_obj, read_stl
-from BalloonWorkbench.core.targets.names import MESHES
 from BalloonWorkbench.core.targets.ply import read_ply
 from BalloonWorkbench.core.targets.simplify import simplified
 from BalloonWorkbench.core.targets.target import Target

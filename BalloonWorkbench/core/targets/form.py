@@ -9,8 +9,9 @@ from pathlib import Path
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.options.body import BandOptions, BodyOptions
 from BalloonWorkbench.core.readers.vector import read_bytes, vector_kind
-from BalloonWorkbench.core.targets.names import is_mesh
 
+#: Kinds of mesh files, by the ends of their names.
+MESHES = ("stl", "obj", "ply", "3mf")
 #: What a JSON file of panels, or of a profile, has instead of the loops of an outline.
 PANELS = "panels"
 #: A file with a closed body: triangles, or a solid, which FreeCAD reads.
@@ -19,6 +20,11 @@ MESH, SOLID = "mesh", "solid"
 SOLIDS = ("step", "stp", "brep", "brp", "iges", "igs")
 _MOST_BYTES = 8 << 20
 _KEYS = (PANELS, "profile", "natural_shape")
+
+
+def is_mesh(path: str | Path) -> bool:
+    """Whether a file is a mesh, by its name."""
+    return Path(path).suffix.lower().lstrip(".") in MESHES
 
 
 def has_many_panels(path: str | Path, body: BodyOptions, band: BandOptions) -> bool:
