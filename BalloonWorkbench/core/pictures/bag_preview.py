@@ -17,13 +17,13 @@ from BalloonWorkbench.core.geometry.polyline import bounds
 from BalloonWorkbench.core.machines.layers import LAYERS
 from BalloonWorkbench.core.pattern.pattern import Role
 from BalloonWorkbench.core.pictures.bag_picture import bag_picture, upright
-from BalloonWorkbench.core.pictures.canvas import Canvas
+from BalloonWorkbench.core.pictures.canvas import PreviewCanvas
 from BalloonWorkbench.core.pictures.cards import (
     CARD,
     HEIGHT,
     WIDTH,
-    Card,
     CardFrame,
+    PreviewCard,
     cards_png,
     dimension,
     scale_bar,
@@ -49,32 +49,32 @@ def bag_preview_png(
 ) -> bytes:
     """A PNG of 1800 x 1000 pixels; same bytes for same input. MissingPackageError without matplotlib."""
 
-    def draw_cards(canvas: Canvas) -> None:
+    def draw_cards(canvas: PreviewCanvas) -> None:
         left, tall = WIDTH - 2 * _MARGIN - _GAP - _FLAT, HEIGHT - 2 * _MARGIN
         distances = off_target(design)
         map_tall = 0 if distances is None else (tall - _GAP) // 2
         if distances is not None:
             title = f"Off the {'profile' if isinstance(design.source, Profile) else 'drawing'}"
-            _map(Card(canvas, _MARGIN, _MARGIN, left, map_tall, title), design, distances)
+            _map(PreviewCard(canvas, _MARGIN, _MARGIN, left, map_tall, title), design, distances)
         low = _MARGIN + (map_tall + _GAP if map_tall else 0)
-        place = Card(canvas, _MARGIN, low, left, HEIGHT - _MARGIN - low, "Balloon")
+        place = PreviewCard(canvas, _MARGIN, low, left, HEIGHT - _MARGIN - low, "Balloon")
         _balloon(place, design, seam_colour, colour)
         count = len(patterns.patterns)
         title = "1 panel" if count == 1 else f"{count} panels"
-        place = Card(canvas, _MARGIN + left + _GAP, _MARGIN, _FLAT, tall, title)
+        place = PreviewCard(canvas, _MARGIN + left + _GAP, _MARGIN, _FLAT, tall, title)
         _panels(place, design, patterns, seam_colour)
 
     return cards_png(draw_cards)
 
 
-def _balloon(card: Card, design: BagDesign, seam_colour: SeamColour, colour: str) -> None:
+def _balloon(card: PreviewCard, design: BagDesign, seam_colour: SeamColour, colour: str) -> None:
     seams = {number: seam_colour(number) for number in range(1, len(design.bag.seams) + 1)}
     card.picture(bag_picture(design, card.width - 28, card.height - 120, colour, seams=seams), 14, 56)
     size = size_text(*np.ptp(upright(design)[design.film], axis=0).tolist())
     card.caption(f"{size}, {volume_text(design.inflation.volume)}")
 
 
-def _map(card: Card, design: BagDesign, distances: Floats) -> None:
+def _map(card: PreviewCard, design: BagDesign, distances: Floats) -> None:
     """The balloon by its distances (n,) m from what was wanted, with the scale and what they are in all."""
     away, error = np.abs(distances), design.residual
     top = max(_NOTHING, float(away.max()) if error is None else min(error.max, 2.0 * error.p95))
@@ -92,7 +92,7 @@ def _map(card: Card, design: BagDesign, distances: Floats) -> None:
         card.caption(f"mean {mean}, 95 % below {most}, at most {largest}")
 
 
-def _panels(card: Card, design: BagDesign, patterns: BagPatterns, seam_colour: SeamColour) -> None:
+def _panels(card: PreviewCard, design: BagDesign, patterns: BagPatterns, seam_colour: SeamColour) -> None:
     laid = (*patterns.patterns, *patterns.pieces)
     points = to_mm(np.concatenate([contour.points for pattern in laid for contour in pattern.contours]))
     low, high = bounds(points)

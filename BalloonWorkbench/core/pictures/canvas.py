@@ -25,7 +25,7 @@ _POINT = 100.0 / 72.0
 _FINER = 4
 
 
-class Canvas:
+class PreviewCanvas:
     """A picture of pixels; y is up, as in a drawing."""
 
     def __init__(self, width: int, height: int, paper: str) -> None:

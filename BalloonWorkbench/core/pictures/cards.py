@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from BalloonWorkbench.core.pictures.canvas import Canvas
+from BalloonWorkbench.core.pictures.canvas import PreviewCanvas
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import from_mm, length_text
 
@@ -19,17 +19,17 @@ INK, SOFT = "#232a36", "#6b7484"
 _HEAD = 5.6, 2.8
 
 
-def cards_png(draw: Callable[[Canvas], None]) -> bytes:
+def cards_png(draw: Callable[[PreviewCanvas], None]) -> bytes:
     """The PNG of what is drawn on a sheet, the same bytes for the same. MissingPackageError."""
-    canvas = Canvas(WIDTH, HEIGHT, PAPER)
+    canvas = PreviewCanvas(WIDTH, HEIGHT, PAPER)
     draw(canvas)
     return canvas.png()
 
 
-class Card:
+class PreviewCard:
     """A card with a title; places are pixels from its lower left corner."""
 
-    def __init__(self, canvas: Canvas, x: int, y: int, width: int, height: int, title: str) -> None:
+    def __init__(self, canvas: PreviewCanvas, x: int, y: int, width: int, height: int, title: str) -> None:
         self._canvas, self._corner = canvas, np.array([x, y])
         self.width, self.height = width, height
         canvas.box((x + 1, y + 1), (x + width - 1, y + height - 1), CARD, EDGE)
@@ -40,11 +40,11 @@ class Card:
         self._canvas.area([loop + self._corner for loop in loops], colour, opacity)
 
     def lines(self, lines: Sequence[Floats], colour: str, width: float, **style: Any) -> None:
-        """Lines (n, 2), so many points wide; see `Canvas.lines`."""
+        """Lines (n, 2), so many points wide; see `PreviewCanvas.lines`."""
         self._canvas.lines([line + self._corner for line in lines], colour, width, **style)
 
     def text(self, x: float, y: float, text: str, size: float, colour: str = SOFT, **style: Any) -> None:
-        """A text of a size in points; see `Canvas.text`."""
+        """A text of a size in points; see `PreviewCanvas.text`."""
         left, bottom = self._corner.tolist()
         self._canvas.text((left + x, bottom + y), text, size, colour, **style)
 
@@ -76,7 +76,7 @@ class CardFrame:
         return points * self.scale + self.shift
 
 
-def dimension(card: Card, start: tuple[float, float], end: tuple[float, float], text: str) -> None:
+def dimension(card: PreviewCard, start: tuple[float, float], end: tuple[float, float], text: str) -> None:
     """An arrow with two heads and its length, which runs upward beside an upright one."""
     ends = np.array([start, end])
     way = (ends[1] - ends[0]) / np.linalg.norm(ends[1] - ends[0])
@@ -89,7 +89,7 @@ def dimension(card: Card, start: tuple[float, float], end: tuple[float, float], 
     card.text(x, y, text, 11, INK, centre=0.5, upright=abs(way[1]) > 0.5, paper=CARD)
 
 
-def scale_bar(card: Card, scale: float) -> None:
+def scale_bar(card: PreviewCard, scale: float) -> None:
     """100 mm where that fits, else the nearest power of ten."""
     length = 100.0
     while length * scale > 240.0:

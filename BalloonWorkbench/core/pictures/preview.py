@@ -15,14 +15,14 @@ from BalloonWorkbench.core.machines.toolpaths import Path, draw
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.layout import on_one_sheet
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
-from BalloonWorkbench.core.pictures.canvas import Canvas
+from BalloonWorkbench.core.pictures.canvas import PreviewCanvas
 from BalloonWorkbench.core.pictures.cards import (
     CARD,
     HEIGHT,
     SOFT,
     WIDTH,
-    Card,
     CardFrame,
+    PreviewCard,
     cards_png,
     dimension,
     scale_bar,
@@ -55,16 +55,16 @@ def preview_png(designs: Sequence[Design], patterns: Sequence[Pattern], seam: st
     MissingPackageError without matplotlib.
     """
 
-    def draw_cards(canvas: Canvas) -> None:
+    def draw_cards(canvas: PreviewCanvas) -> None:
         half = (HEIGHT - 2 * _MARGIN - _GAP) // 2
         tall = HEIGHT - 2 * _MARGIN
         second = _MARGIN + _LEFT + _GAP
         third = second + _MIDDLE + _GAP
-        _drawing(Card(canvas, _MARGIN, _MARGIN + half + _GAP, _LEFT, half, "Drawing"), designs)
-        _silhouette(Card(canvas, _MARGIN, _MARGIN, _LEFT, half, "Inflated over the drawing"), designs)
-        _pattern(Card(canvas, second, _MARGIN, _MIDDLE, tall, "Pattern, cut two"), patterns, seam)
+        _drawing(PreviewCard(canvas, _MARGIN, _MARGIN + half + _GAP, _LEFT, half, "Drawing"), designs)
+        _silhouette(PreviewCard(canvas, _MARGIN, _MARGIN, _LEFT, half, "Inflated over the drawing"), designs)
+        _pattern(PreviewCard(canvas, second, _MARGIN, _MIDDLE, tall, "Pattern, cut two"), patterns, seam)
         title = "Balloon" if len(designs) == 1 else f"{len(designs)} balloons"
-        _balloon(Card(canvas, third, _MARGIN, WIDTH - _MARGIN - third, tall, title), designs, patterns)
+        _balloon(PreviewCard(canvas, third, _MARGIN, WIDTH - _MARGIN - third, tall, title), designs, patterns)
 
     return cards_png(draw_cards)
 
@@ -79,7 +79,7 @@ def _rings(outline: Outline, frame: CardFrame) -> list[Floats]:
     return [ring(loop) for loop in _loops(outline, frame)]
 
 
-def _common_frame(card: Card, designs: Sequence[Design]) -> CardFrame:
+def _common_frame(card: PreviewCard, designs: Sequence[Design]) -> CardFrame:
     """The same scale for the drawing and for what is laid over it."""
     points = to_mm(
         np.concatenate([part.outer for design in designs for part in (design.target, design.silhouette)])
@@ -87,7 +87,7 @@ def _common_frame(card: Card, designs: Sequence[Design]) -> CardFrame:
     return CardFrame(*bounds(points), card.inside(34, 62, 34, 66))
 
 
-def _drawing(card: Card, designs: Sequence[Design]) -> None:
+def _drawing(card: PreviewCard, designs: Sequence[Design]) -> None:
     frame = _common_frame(card, designs)
     for design in designs:
         card.area(_loops(design.target, frame), _DRAWING)
@@ -99,7 +99,7 @@ def _drawing(card: Card, designs: Sequence[Design]) -> None:
     card.caption(f"{size_text(width, height)}{shapes}{inside}")
 
 
-def _silhouette(card: Card, designs: Sequence[Design]) -> None:
+def _silhouette(card: PreviewCard, designs: Sequence[Design]) -> None:
     frame = _common_frame(card, designs)
     for design in designs:
         card.area(_loops(design.silhouette, frame), _BALLOON, 0.30)
@@ -124,7 +124,7 @@ def _silhouette(card: Card, designs: Sequence[Design]) -> None:
     )
 
 
-def _pattern(card: Card, patterns: Sequence[Pattern], seam: str) -> None:
+def _pattern(card: PreviewCard, patterns: Sequence[Pattern], seam: str) -> None:
     names = {**_NAMES, Role.SEAL: seam, Role.WELD: f"{seam} inside"}
     pattern = on_one_sheet(patterns)
     sheet = draw(pattern, read_machine(FOLDER / f"{ANY['svg']}.json"))
@@ -166,7 +166,7 @@ def _drawn(path: Path, frame: CardFrame) -> Floats:
     return frame(ring(path.curve.joints, path.curve.closed))
 
 
-def _balloon(card: Card, designs: Sequence[Design], patterns: Sequence[Pattern]) -> None:
+def _balloon(card: PreviewCard, designs: Sequence[Design], patterns: Sequence[Pattern]) -> None:
     inflations = [design.inflation for design in designs]
     card.picture(
         balloon_picture(inflations, patterns[0].seal_width, card.width - 28, card.height - 120), 14, 56

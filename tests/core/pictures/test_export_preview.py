@@ -12,7 +12,7 @@ from inflated import designed
 from matplotlib import image
 
 from BalloonWorkbench.core.pattern.build import build_pattern
-from BalloonWorkbench.core.pictures.cards import Card, cards_png
+from BalloonWorkbench.core.pictures.cards import PreviewCard, cards_png
 from BalloonWorkbench.core.pictures.preview import preview_png
 from BalloonWorkbench.core.pictures.render import balloon_picture
 
@@ -81,7 +81,7 @@ def test_a_long_caption_stays_on_its_card() -> None:
     inked = []
     for text in texts:
         pixels = pixels_of(
-            cards_png(lambda canvas, text=text: Card(canvas, 26, 26, 480, 464, "T").caption(text))
+            cards_png(lambda canvas, text=text: PreviewCard(canvas, 26, 26, 480, 464, "T").caption(text))
         )
         rows, columns = np.nonzero((pixels[930:965, 32:500] < 0.8).any(axis=2))
         assert 32 + columns.max() <= 26 + 480 - 20
