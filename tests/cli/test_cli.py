@@ -95,6 +95,40 @@ def test_inflate_keeps_the_outline_as_the_pattern(square: Path, tmp_path: Path) 
     assert report["inflated"]["volume_m3"] == pytest.approx(0.2027 * 0.2**3, rel=0.02)
 
 
+ONLY: list[tuple[list[str], set[str]]] = [
+    (["--only", "report"], {"report.json"}),
+    (["--only", "pattern", "--only", "balloon"], {"pattern.dxf", "pattern.svg", "balloon.stl"}),
+    (["--only", "preview", "--machine", "hpgl-plotter"], {"preview.png", "pattern-hpgl-plotter.plt"}),
+]
+
+
+@pytest.mark.parametrize(("words", "files"), ONLY)
+def test_only_what_is_wanted_is_written(
+    words: list[str], files: set[str], square: Path, tmp_path: Path
+) -> None:
+    """What is asked for by itself comes all the same."""
+    assert (
+        command_line.main(
+            ["inflate", str(square), "--mesh-size", "20mm", "--out", str(tmp_path / "out"), *words]
+        )
+        == 0
+    )
+    assert {path.name for path in (tmp_path / "out").iterdir()} == files
+
+
+def test_only_what_is_wanted_of_many_panels(tmp_path: Path) -> None:
+    """FreeCAD is not even asked for the document."""
+    cube = Path(__file__).parents[2] / "resources" / "examples" / "bags" / "cube.json"
+    out = tmp_path / "out"
+    assert (
+        command_line.main(
+            ["inflate", str(cube), "--mesh-size", "40mm", "--out", str(out), "--only", "pattern"]
+        )
+        == 0
+    )
+    assert {path.name for path in out.iterdir()} == {"pattern.dxf", "pattern.svg"}
+
+
 def test_options_reach_the_solver(square: Path, tmp_path: Path) -> None:
     words = ["inflate", str(square), "--out", str(tmp_path / "out"), "--mesh-size", "60mm", "--no-native"]
     words += [

@@ -11,9 +11,10 @@ from typing import Any, NoReturn
 
 import pytest
 
-from BalloonWorkbench.cli import command_line, freecad_process, making
-from BalloonWorkbench.core import job
+from BalloonWorkbench.cli import command_line, freecad_process
+from BalloonWorkbench.core import job, products
 from BalloonWorkbench.core.artwork.files import png_bytes
+from BalloonWorkbench.core.pictures import preview
 from BalloonWorkbench.core.reports import report
 
 CORE = {"pattern.dxf", "pattern.svg", "balloon.stl", "preview.png", "report.json"}
@@ -22,14 +23,14 @@ ALL = CORE | {"results.npz", "pattern-hpgl-plotter.plt", "assembly.pdf"}
 #: What fails, and the files that cannot be without it.
 PARTS: dict[str, tuple[Any, str, set[str]]] = {
     "mesh": (job, "stl_bytes", {"balloon.stl"}),
-    "preview": (job, "preview_png", {"preview.png"}),
+    "preview": (preview, "preview_png", {"preview.png"}),
     "patterns": (job, "machine_file", {"pattern.dxf", "pattern.svg"}),
-    "all usual files": (command_line, "makers", (CORE | {"results.npz"}) - {"report.json"}),
+    "all that is shown": (command_line, "makers", {"balloon.stl", "preview.png", "results.npz"}),
     "results": (job, "results_bytes", {"results.npz"}),
     "frames": (command_line, "inflation_files", {"inflation.pvd"}),
     "machines": (command_line, "checked_files", {"pattern-hpgl-plotter.plt"}),
-    "prints": (making, "print_files", {"artwork-front.png"}),
-    "assembly": (making, "assembly_files", {"assembly.pdf"}),
+    "prints": (products, "print_files", {"artwork-front.png"}),
+    "assembly": (products, "assembly_files", {"assembly.pdf"}),
     "numbers": (job, "_numbers", {"report.json", "assembly.pdf"}),
     "advice": (job, "advise_design", {"report.json"}),
     "report": (report, "build", {"report.json"}),
