@@ -222,7 +222,8 @@ class _Run:
         progress: Progress,
     ) -> tuple[dict[str, bytes], list[str]]:
         """Contents of the other files that can be made, by name, and lines for the user."""
-        contents = self._made(self._makers(balloon, options.results), options.only)
+        shown = self._attempt("What shows the balloon", lambda: self._makers(balloon, options.results))
+        contents = self._made(shown or {}, options.only)
         if options.frames is not None:
             blown, film = [design.inflation for design in balloon.designs], balloon.settings.film
             blow_up = partial(inflation_files, blown, film, options.frames, progress)
