@@ -95,7 +95,7 @@ def test_the_rest_is_written(
     details = printed.err.partition("'")[2].partition("'")[0]
     assert "Traceback" in Path(details).read_text(encoding="utf-8")
     for each in missing & {"balloon.stl", "preview.png", "results.npz", "pattern.dxf"}:
-        if part != "all usual files":
+        if part != "all that is shown":
             assert f"Note: {each} was left out." in printed.out
     if "report.json" in written and part not in ("summary", "document"):
         told = json.loads((place / "out" / "report.json").read_text(encoding="utf-8"))["warnings"]
