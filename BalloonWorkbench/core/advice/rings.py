@@ -40,9 +40,9 @@ def seam_height(pattern: Outline, film: Film) -> float:
 def creased_outlines(pattern: Outline, film: Film, seal_widths: tuple[float, ...]) -> list[Misfit]:
     """How far the outline of a pattern moves where its weld creases, for welds of some widths [m].
 
-    From where it is with the first of these widths while that stays elastic. Each starts from the balloon that
-    the one before has creased: a kinked ring and an even one may both be at rest, and which of them comes out of
-    the flat film is an accident of mesh and rounding. So only a width that straightens a ring is told to help.
+    From where it is with the first of these widths while that stays elastic. Each starts from the balloon
+    that the one before has creased: a kinked ring and an even one may both be at rest, and which comes out of
+    the flat film is an accident of mesh and rounding. So only a width that straightens a ring helps.
     """
     panel = rough_panel(pattern, _VERTICES)
     rigidities = [film.weld_rigidity * _stiffer(film, width) for width in seal_widths]
