@@ -22,11 +22,12 @@ def check(obj, properties) -> None:
     for item in properties:
         if item.name not in following or item.type not in _UNITS:
             continue
-        given = _named(obj.evalExpression(following[item.name]))
+        text = following[item.name]
+        given = _named(obj.evalExpression(text))
         if given and given != _UNITS[item.type]:
             raise InputError(
-                f"{item.name} of {obj.Label} is {_UNITS[item.type]}, but its expression '{following[item.name]}'"
-                f" gives {given}: change the expression."
+                f"{item.name} of {obj.Label} is {_UNITS[item.type]}, but its expression '{text}' gives"
+                f" {given}: change the expression."
             )
 
 
