@@ -32,7 +32,7 @@ DRAWN = {"disc": Outline(polar(0.15)), "ring": Outline(polar(0.15), (hole(0.06, 
 
 @cache
 def drawn(shape: str, weld: str) -> Inflation:
-    mesh = triangulate(DRAWN[shape], size_for(DRAWN[shape], 1500))
+    mesh = triangulate(DRAWN[shape], size_for(DRAWN[shape], 800))
     return inflate(mesh, films()["mylar"], 2000.0, model=Model(weld=weld), backend="native")
 
 
