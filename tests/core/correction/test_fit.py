@@ -113,12 +113,6 @@ def test_same_input_gives_the_same_pattern_to_the_last_digit() -> None:
     assert first.pattern.outer.tobytes() == second.pattern.outer.tobytes()
 
 
-def test_coarse_and_fine_meshes_agree() -> None:
-    drawing = read_picture(PICTURES / "heart.png", 0.3, None)
-    coarse, fine = (fit(drawing, film("mylar"), 2000.0, mesh_size=size) for size in (0.013, 0.008))
-    assert residual(coarse.pattern, fine.pattern).mean < 0.002 * 0.3
-
-
 def test_an_unreachable_drawing_is_marked() -> None:
     """A comb whose slits film closes still gives a valid pattern and a warning."""
     comb = [[0.0, 0.0], [0.3, 0.0], [0.3, 0.1]]
@@ -127,7 +121,7 @@ def test_an_unreachable_drawing_is_marked() -> None:
         sides = middle + np.array([[0.0005], [-0.0005]])
         comb += [[sides[0, 0], 0.1], [middle, 0.03], [sides[1, 0], 0.1]]
     drawing = Outline(np.array([*comb, [0.0, 0.1]]))
-    design = fit(drawing, film("pe"), 2000.0, mesh_size=0.012, method=Method(symmetric=False))
+    design = fit(drawing, film("pe"), 2000.0, mesh_size=0.018, method=Method(symmetric=False))
     assert first_crossing(design.pattern.loops) is None
     assert not design.reached
     assert design.residual.mean > 0.01 * 0.3

@@ -66,11 +66,11 @@ def test_few_and_many_vertices_give_the_same_pattern() -> None:
     drawing = read_picture(PICTURES / "fish.png", 0.3, None)
     grown_drawing = drawing.map(lambda loop: 1.28 * loop)
     few, many = (
-        fit(drawing, film("mylar"), 2000.0, mesh_size=size_for(grown_drawing, count)) for count in (600, 2000)
+        fit(drawing, film("mylar"), 2000.0, mesh_size=size_for(grown_drawing, count)) for count in (600, 1500)
     )
     # the balloon that is shown is blown up on a somewhat finer mesh than the pattern was found on
     assert len(few.inflation.panel.rest_positions) < 1000
-    assert len(many.inflation.panel.rest_positions) > 1760
+    assert len(many.inflation.panel.rest_positions) > 1320
     # where the pattern lies on the table is free
     rotation, shift = alignment(few.pattern.outer, many.pattern.outer, np.ones(len(few.pattern.outer)))
     laid = few.pattern.map(lambda loop: loop @ rotation.T + shift)
