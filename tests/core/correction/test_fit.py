@@ -121,7 +121,7 @@ def test_an_unreachable_drawing_is_marked() -> None:
         sides = middle + np.array([[0.0005], [-0.0005]])
         comb += [[sides[0, 0], 0.1], [middle, 0.03], [sides[1, 0], 0.1]]
     drawing = Outline(np.array([*comb, [0.0, 0.1]]))
-    design = fit(drawing, film("pe"), 2000.0, mesh_size=0.018, method=Method(symmetric=False))
+    design = fit(drawing, film("pe"), 2000.0, mesh_size=0.012, method=Method(symmetric=False))
     assert first_crossing(design.pattern.loops) is None
     assert not design.reached
     assert design.residual.mean > 0.01 * 0.3
