@@ -108,7 +108,7 @@ def test_the_pattern_has_each_panel_once(cube: tuple[Path, dict[str, Any]]) -> N
 def test_gores_by_number(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """The sphere of 6: mean distance 16 %/36 of the diagonal; equal panels; what is told."""
     out = tmp_path / "out"
-    words = ["--gores", "6", "--pressure", "500Pa", "--mesh-size", "40mm"]
+    words = ["--gores", "6", "--pressure", "500Pa", "--mesh-size", "28mm"]
     report = run("design", PROFILES / "sphere.json", out, *words)
     assert report["design"]["relative_error"] <= 0.16 / 36
     assert report["design"]["apart_mm"] > 0.0
