@@ -181,7 +181,7 @@ def test_sharp_notches_are_the_weakest_place() -> None:
 
 def test_loads_come_from_a_film_at_rest() -> None:
     """A letter whose tensions still change where the eye sees no more: like those of a solve to the end."""
-    seen = inflated("letter")
+    seen = inflate(panel("letter", 1500), FOIL, PRESSURE, settings=NewtonSettings(1e-3))
     found, at_rest = settled_loads(seen, FOIL)
     end = inflate(seen.panel, FOIL, PRESSURE, start=seen, settings=NewtonSettings(1e-11, 400))
     exact = loads(end, FOIL)
