@@ -30,6 +30,7 @@ def workbench():
     """Our workbench, and a clean window afterwards."""
     Gui.activateWorkbench("BalloonWorkbench")
     Gui.Selection.clearSelection()
+    hands.QtGui.QCursor.setPos(0, 0)  # not over a 3D view, where what is below it lights up
     yield Gui.activeWorkbench()
     if hands.panel_is_open():
         hands.leave()
@@ -44,6 +45,12 @@ def known(request):
     """What tests before have worked out, but for those that look at the work itself."""
     with remembered(request.node):
         yield
+
+
+@pytest.fixture
+def stand_in(monkeypatch):
+    """Puts something in the place of what the window asks for; results stay what they are, and known."""
+    return monkeypatch
 
 
 @pytest.fixture(autouse=True)
@@ -120,7 +127,7 @@ def _opened(path, folder):
 def opened(made):
     """The panel of a finished balloon."""
     made.balloon.ViewObject.Proxy.doubleClicked(made.balloon.ViewObject)
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     return made
 
 
@@ -149,6 +156,8 @@ def _warm_up():
         for module in pkgutil.walk_packages(package.__path__, f"{package.__name__}."):
             importlib.import_module(module.name)
     hands.QtWidgets.QApplication.setEffectEnabled(hands.QtCore.Qt.UI_AnimateCombo, False)
+    # the camera is where it was sent: FreeCAD from 1.0 on has it fly there
+    App.ParamGet("User parameter:BaseApp/Preferences/View").SetBool("UseNavigationAnimations", False)
 
 
 _warm_up()

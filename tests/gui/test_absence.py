@@ -102,7 +102,7 @@ def test_start_loads_the_least(bare):
 
 def test_what_works_here_can_be_read(doc):
     Gui.runCommand("BalloonWorkbench_Equipment")
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     text = hands.find("Equipment").text()
     assert "Solver: native." in text
     assert "All packages are installed." in text

@@ -64,7 +64,7 @@ def test_pattern_has_the_colours_of_its_layers(doc):
 
 def test_double_click_edits_it(doc):
     doc.Balloon.ViewObject.Proxy.doubleClicked(doc.Balloon.ViewObject)
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     assert hands.find("Drawing").text() == "heart.png"
     hands.type_into(hands.find("Pressure"), "3 kPa")
     hands.press("Ok")

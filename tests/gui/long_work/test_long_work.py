@@ -79,14 +79,19 @@ def test_a_recompute_is_stopped_and_keeps_what_was(made, how, monkeypatch):
     assert shown() is None
 
 
-def test_nobody_edits_meanwhile(made):
+def test_nobody_edits_meanwhile(made, monkeypatch):
     """A click on a widget and a key press wait in vain until the recompute is over."""
-    pressed = []
+    pressed, clicked, report = [], threading.Event(), Worker._report
+
+    def when_clicked(worker, fraction, text):
+        return clicked.wait(60.0) and report(worker, fraction, text)
+
+    monkeypatch.setattr(Worker, "_report", when_clicked)
     button = hands.QtWidgets.QPushButton("x", Gui.getMainWindow())
     button.clicked.connect(lambda: pressed.append(1))
     button.show()
-    made.balloon.MeshSize = 1.2
-    timer = when_shown(lambda: hands.click(button))
+    made.balloon.MeshSize = 8
+    timer = when_shown(lambda: (hands.click(button), clicked.set()))
     made.balloon.Document.recompute()
     assert not timer.isActive()
     assert not pressed
