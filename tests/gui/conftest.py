@@ -22,6 +22,7 @@ from remembered import remembered
 from BalloonWorkbench import app, gui
 from BalloonWorkbench.app.document import create
 from BalloonWorkbench.core import faults
+from BalloonWorkbench.gui.panels.balloon import body_rows
 from BalloonWorkbench.gui.window import file_dialogs
 
 
@@ -51,6 +52,12 @@ def known(request):
 def stand_in(monkeypatch):
     """Puts something in the place of what the window asks for; results stay what they are, and known."""
     return monkeypatch
+
+
+@pytest.fixture
+def without_figures(monkeypatch):
+    """The panel of a body tells nothing that a thread has to count: bodies/test_figures.py looks at that."""
+    monkeypatch.setattr(body_rows, "body_figures", lambda *_given: None)
 
 
 @pytest.fixture(autouse=True)

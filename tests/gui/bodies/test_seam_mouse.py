@@ -13,6 +13,9 @@ from BalloonWorkbench.app.border import status
 QtCore, QtGui, QtWidgets = hands.QtCore, hands.QtGui, hands.QtWidgets
 
 
+pytestmark = pytest.mark.usefixtures("without_figures")
+
+
 @pytest.fixture
 def cube(doc):
     """The panel on a cube of 100 mm that is not inflated."""

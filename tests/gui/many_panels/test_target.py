@@ -12,6 +12,9 @@ from BalloonWorkbench.app.document.parts import panels_of
 from BalloonWorkbench.gui.window import file_dialogs, macro_recorder
 
 
+pytestmark = pytest.mark.usefixtures("without_figures")
+
+
 @pytest.fixture
 def lines(monkeypatch):
     """What goes into the macro; it is run as in FreeCAD."""

@@ -12,6 +12,9 @@ from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document import create
 
 
+pytestmark = pytest.mark.usefixtures("without_figures")
+
+
 @pytest.fixture
 def held():
     """The solve goes on once this is closed."""

@@ -17,6 +17,8 @@ from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document import kinds
 from BalloonWorkbench.app.document.parts import panels_of
 
+pytestmark = pytest.mark.usefixtures("without_figures")
+
 SIZES = (240, 160, 120)
 FILLET, PANELS = 45, 12
 LONGER, COARSE = 300, 30  # mm
