@@ -11,7 +11,6 @@ from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document.parts import panels_of
 from BalloonWorkbench.gui.window import file_dialogs, macro_recorder
 
-
 pytestmark = pytest.mark.usefixtures("without_figures")
 
 

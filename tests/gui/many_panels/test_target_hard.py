@@ -11,7 +11,6 @@ import pytest
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document import create
 
-
 pytestmark = pytest.mark.usefixtures("without_figures")
 
 
