@@ -31,13 +31,18 @@ def wait(seconds=0.1):
         time.sleep(0.005)
 
 
-def at_latest(seconds):
-    """When so many seconds of a machine without other work have passed for sure, by time.monotonic().
+def patience(seconds):
+    """What these seconds of a machine without other work may take here at most.
 
     A test that passes never waits for it: it ends what will not come.
     """
     others = os.getloadavg()[0] / (os.cpu_count() or 1)  # programs for each core
-    return time.monotonic() + _PATIENCE * seconds * max(others, 1.0)
+    return _PATIENCE * seconds * max(others, 1.0)
+
+
+def at_latest(seconds):
+    """When they have passed, by time.monotonic()."""
+    return time.monotonic() + patience(seconds)
 
 
 def wait_until(condition, seconds=60.0, otherwise="it never happened"):
@@ -78,7 +83,7 @@ def can_be_used(widget):
 def reach(widget):
     """Wait until a widget can be used, as a hand does."""
     if not can_be_used(widget):
-        wait_until(lambda: can_be_used(widget), 10, f"{widget.objectName()} cannot be used")
+        wait_until(lambda: can_be_used(widget), 5, f"{widget.objectName()} cannot be used")
 
 
 def turn_to(widget):

@@ -374,7 +374,7 @@ def test_no_fault_of_the_engine_ends_the_window(do, listener, folder, rectangle_
             place, nth, error = places[tried]
             what = f"{place}, call {nth}, {error.__name__}"
             sys.__stdout__.write(f"{do.__name__}: {what}\n")
-            faulthandler.dump_traceback_later(_FROZEN, exit=True, file=sys.__stderr__)
+            faulthandler.dump_traceback_later(hands.patience(_FROZEN), exit=True, file=sys.__stderr__)
             run = run or Run(listener, folder, rectangle_file)
             try:
                 try_one(do, run, engine, place, nth, error)

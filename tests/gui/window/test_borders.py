@@ -33,7 +33,7 @@ def no_fault():
 @pytest.fixture(autouse=True)
 def ends():
     """A window that is frozen ends the run; a box is closed."""
-    faulthandler.dump_traceback_later(120, exit=True, file=sys.__stderr__)
+    faulthandler.dump_traceback_later(hands.patience(120), exit=True, file=sys.__stderr__)
     yield
     faulthandler.cancel_dump_traceback_later()
     if box() is not None:
