@@ -51,7 +51,7 @@ def bare(tmp_path_factory):
         capture_output=True,
         text=True,
         check=False,
-        timeout=120,
+        timeout=hands.patience(120),
         stdin=subprocess.DEVNULL,
     )
     return json.loads((folder / "seen.json").read_text(encoding="utf-8")), ended.stdout + ended.stderr

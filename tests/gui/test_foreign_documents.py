@@ -20,7 +20,9 @@ def written(tmp_path_factory):
     heart = "resources/examples/pictures/heart.png"
     options = [heart, "--width", "120mm", "--mesh-size", "14mm", "--out", str(folder / "out")]
     environment = {**os.environ, "FREECAD_USER_HOME": str(folder)}
-    subprocess.run([*command, *options], check=True, env=environment, capture_output=True, timeout=120)
+    subprocess.run(
+        [*command, *options], check=True, env=environment, capture_output=True, timeout=hands.patience(120)
+    )
     return folder / "out" / "balloon.FCStd"
 
 

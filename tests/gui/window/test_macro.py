@@ -73,7 +73,7 @@ os._exit(0)
     path = tmp_path / "replay.py"
     path.write_text(code, encoding="utf-8")
     ended = subprocess.run(
-        ["freecadcmd", str(path)], capture_output=True, text=True, timeout=120, check=False
+        ["freecadcmd", str(path)], capture_output=True, text=True, timeout=hands.patience(120), check=False
     )
     assert told.exists(), ended.stdout + ended.stderr
     return json.loads(told.read_text(encoding="utf-8"))
