@@ -31,7 +31,7 @@ def solid(doc, shape, name="Solid"):
 def divided(doc, source, panels=0):
     """The object alone: nothing is inflated."""
     parts = create.make(doc, "Body", "Target")
-    parts.outline.Solid = source
+    parts.outline.Solid, parts.balloon.Live = source, False
     parts.outline.Panels = panels
     parts.outline.recompute()
     return parts.outline
