@@ -55,8 +55,7 @@ def test_its_solid_is_deleted(amid, held):
     hands.wait(0.5)
     if hands.panel_is_open():
         hands.press("Ok")
-        hands.wait(1.0)
-    assert hands.panel_is_closed() or "Choose a solid" in hands.message()
+    hands.wait_until(lambda: hands.panel_is_closed() or "Choose a solid" in hands.message())
 
 
 def test_its_solid_changes(amid, held):
