@@ -16,6 +16,7 @@ from BalloonWorkbench.core.machines.machine import ANY, Machine, machines
 from BalloonWorkbench.core.machines.machine_file import checked_files
 from BalloonWorkbench.core.nesting.layout import GrainRule, Stock
 from BalloonWorkbench.core.products import Artwork, assembly_files, bag_print, nested, print_files
+from BalloonWorkbench.core.sharing import GLB, glb_file
 from BalloonWorkbench.core.tracing.picture_file import decode, picture_size
 from BalloonWorkbench.core.types import Attempt, Progress, Say
 from BalloonWorkbench.core.units import (
@@ -55,8 +56,10 @@ def checked(
                     lambda: _nest(balloon, stock, options.balloons, asked, options.oversize, progress, say),
                 )
             )
+        title = readable(Path(options.input).stem).capitalize()
+        if options.glb:
+            made.append(attempt(GLB, lambda: ({GLB: glb_file(balloon, title, artwork)}, [])))
         if options.assembly is not None:
-            title = readable(Path(options.input).stem).capitalize()
             made.append(
                 attempt("assembly.pdf", lambda: (assembly_files(balloon, title, options.assembly, say), []))
             )
