@@ -13,7 +13,7 @@ from typing import Any, NoReturn, TypeVar
 from BalloonWorkbench import __version__
 from BalloonWorkbench.cli.console import UNSHOWN, complain, show
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.language.speech import language_named, short_names, users_language
+from BalloonWorkbench.core.language.speech import chosen_language, short_names
 from BalloonWorkbench.core.machines.machine import machines
 from BalloonWorkbench.core.options.option import Kind, Option, options_of
 from BalloonWorkbench.core.options.table import options
@@ -82,8 +82,7 @@ def language_of(arguments: Sequence[str] | None) -> str:
     """
     known = _Parser(add_help=False, allow_abbrev=False)
     _add_language(known)
-    name = known.parse_known_args(arguments)[0].language
-    return users_language(os.environ) if name is None else language_named(name)
+    return chosen_language(known.parse_known_args(arguments)[0].language, os.environ)
 
 
 def _add_language(command: argparse.ArgumentParser) -> None:

@@ -12,6 +12,8 @@ MAKING, ARTWORK, SHEET = Section("Making"), Section("Artwork"), Section("Film", 
 #: What becomes of a pattern that is larger than the bed: no file, the file all the same, a smaller balloon.
 REFUSE, WRITE, SCALE = "refuse", "write", "scale"
 MOST_BALLOONS = 100
+#: As what a report may be written beside report.json.
+HTML = "html"
 
 
 # fmt: off
@@ -102,4 +104,4 @@ class SharingOptions:
         "Also write the balloon with its artwork as balloon.glb, for 3D programs and web pages", prop="")
     report: str | None = MAKING(Kind.CHOICE, None,
         "Also write one web page with the balloon in 3D, its numbers and its pattern, which needs no network",
-        prop="", choices={"html": ""})
+        prop="", choices={HTML: ""})
