@@ -74,7 +74,9 @@ def _bags(bags: FinishedBags, artwork: Artwork | None) -> list[list[SurfaceMesh]
     for part in bags.parts:
         printed = [] if artwork is None else pictures_on(bags, artwork, part.design, part.patterns.panels)
         small = {key: small_picture(picture) for key, picture in _by_identity(printed).items()}
-        meshes.append(bag_meshes(part.design, look, [(film, small[id(picture)]) for film, picture in printed]))
+        meshes.append(
+            bag_meshes(part.design, look, [(film, small[id(picture)]) for film, picture in printed])
+        )
     return meshes
 
 

@@ -5,7 +5,7 @@ for (const button of document.querySelectorAll("th > button")) {
   button.addEventListener("click", () => {
     const head = button.parentElement, body = head.closest("table").tBodies[0], column = head.cellIndex;
     const upward = head.getAttribute("aria-sort") !== "ascending";
-    const valueOf = (row) => row.cells[column].dataset.value ?? row.cells[column].textContent;
+    const valueOf = (row) => row.cells[column].textContent;
     const rows = [...body.rows].map((row) => [valueOf(row), row]);
     const numbers = rows.every(([value]) => value === "" || Number.isFinite(Number(value)));
     const before = (a, b) => (numbers ? a - b : a.localeCompare(b, undefined, { numeric: true }));

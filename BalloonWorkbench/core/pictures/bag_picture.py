@@ -14,7 +14,14 @@ from BalloonWorkbench.core.geometry.normals import vertex_normals
 from BalloonWorkbench.core.geometry.polyline import extent
 from BalloonWorkbench.core.geometry.vectors import unit
 from BalloonWorkbench.core.panels.seam import Run
-from BalloonWorkbench.core.pictures.render import FILM_COLOUR, INNER_SHADE, Coloured, rgb, surface_picture, together
+from BalloonWorkbench.core.pictures.render import (
+    FILM_COLOUR,
+    INNER_SHADE,
+    Coloured,
+    rgb,
+    surface_picture,
+    together,
+)
 from BalloonWorkbench.core.targets.target import Division
 from BalloonWorkbench.core.types import Floats, Ints
 
@@ -108,7 +115,9 @@ def _film(design: BagDesign, places: Floats, number: int, film: Floats, *, insid
     film = film[start : start + len(own)]
     if not inside:
         return own, triangles, normals, film
-    return together([(own, triangles, normals, film), (own, triangles[:, ::-1], -normals, INNER_SHADE * film)])
+    return together(
+        [(own, triangles, normals, film), (own, triangles[:, ::-1], -normals, INNER_SHADE * film)]
+    )
 
 
 def _ribbon(design: BagDesign, places: Floats, run: Run, colour: Floats) -> Coloured:

@@ -37,9 +37,7 @@ def balloon_picture(
     return surface_picture(_surface(inflations, seal_width, rgb(colour)), width, height)
 
 
-def surface_picture(
-    surface: Coloured, width: int, height: int, painting: ColourAt | None = None
-) -> Floats:
+def surface_picture(surface: Coloured, width: int, height: int, painting: ColourAt | None = None) -> Floats:
     """RGBA (height, width, 4) of a surface over its soft shadow; y is up, z to the eye.
 
     painting  gives the colours of places between vertices, from what these have instead of colours

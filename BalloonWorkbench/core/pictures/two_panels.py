@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The film of two equal panels in space, with the weld round it: closed surfaces, a seam between their sides."""
+"""The film of two equal panels in space, with the weld round it: closed, a sharp seam between both sides."""
 
 from __future__ import annotations
 

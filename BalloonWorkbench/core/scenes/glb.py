@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Surfaces with their pictures as one binary glTF 2.0 file (GLB).
 
-https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html: a header, a JSON chunk that describes, and a BIN chunk
-with all numbers and pictures.
+https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html: a header, a JSON chunk that describes, and a BIN
+chunk with all numbers and pictures.
 """
 
 from __future__ import annotations
@@ -37,9 +37,7 @@ def glb_bytes(title: str, balloons: Mapping[str, Sequence[SurfaceMesh]]) -> byte
     everything = np.concatenate(parts)
     middle = 0.5 * (everything.min(axis=0) + everything.max(axis=0))
     file = _Gltf()
-    nodes = [
-        {"name": name, "mesh": file.mesh(name, meshes, middle)} for name, meshes in balloons.items()
-    ]
+    nodes = [{"name": _letters(name), "mesh": file.mesh(meshes, middle)} for name, meshes in balloons.items()]
     return file.written(title, nodes)
 
 
@@ -55,13 +53,13 @@ class _Gltf:
         self._lists.setdefault(name, []).append(what)
         return len(self._lists[name]) - 1
 
-    def mesh(self, name: str, meshes: Sequence[SurfaceMesh], middle: Floats) -> int:
+    def mesh(self, meshes: Sequence[SurfaceMesh], middle: Floats) -> int:
         """The number of a mesh with a primitive for each finish."""
         of_finish: dict[int, list[SurfaceMesh]] = {}
         for mesh in meshes:
             of_finish.setdefault(id(mesh.finish), []).append(mesh)
         primitives = [self._primitive(each, middle) for each in of_finish.values()]
-        return self._add("meshes", {"name": name, "primitives": primitives})
+        return self._add("meshes", {"primitives": primitives})
 
     def _primitive(self, meshes: Sequence[SurfaceMesh], middle: Floats) -> dict[str, Any]:
         starts = np.cumsum([0, *(len(mesh.positions) for mesh in meshes)])
@@ -70,7 +68,9 @@ class _Gltf:
         # a vertex of triangles without an area has no normal; the format asks for one
         normals = np.where(np.linalg.norm(normals, axis=1, keepdims=True) > 0.5, normals, _UP)
         attributes = {
-            "POSITION": self._vertices(np.concatenate([mesh.positions for mesh in meshes]) - middle, ends=True),
+            "POSITION": self._vertices(
+                np.concatenate([mesh.positions for mesh in meshes]) - middle, ends=True
+            ),
             "NORMAL": self._vertices(normals),
         }
         finish = meshes[0].finish
@@ -102,7 +102,9 @@ class _Gltf:
     def _view(self, content: bytes, **more: int) -> int:
         start = len(self._bin)
         self._bin += content + b"\0" * (-len(content) % 4)
-        return self._add("bufferViews", {"buffer": 0, "byteOffset": start, "byteLength": len(content), **more})
+        return self._add(
+            "bufferViews", {"buffer": 0, "byteOffset": start, "byteLength": len(content), **more}
+        )
 
     def _material(self, finish: Finish) -> int:
         if id(finish) not in self._numbers:
@@ -136,7 +138,7 @@ class _Gltf:
         described = {
             "asset": {"version": "2.0", "generator": "BalloonWorkbench"},
             "scene": 0,
-            "scenes": [{"name": title, "nodes": [*range(len(nodes))]}],
+            "scenes": [{"name": _letters(title), "nodes": [*range(len(nodes))]}],
             "nodes": nodes,
             **self._lists,
             "buffers": [{"byteLength": len(self._bin)}],
@@ -158,3 +160,8 @@ class _Gltf:
 def _linear(value: float) -> float:
     """A colour as on screens (sRGB) in parts of its light."""
     return round(value / 12.92 if value <= 0.04045 else ((value + 0.055) / 1.055) ** 2.4, 6)
+
+
+def _letters(name: str) -> str:
+    """A name with a sign for each letter that is none, as in names of files from other systems."""
+    return name.encode(errors="replace").decode()

@@ -75,7 +75,7 @@ def finish_of(
 
 
 def small_picture(picture: Picture) -> Picture:
-    """The picture in its place with at most MOST_PIXELS along a side, by means over whole blocks of pixels."""
+    """The picture in its place with at most MOST_PIXELS along a side, by means over blocks of pixels."""
     pixels = picture.pixels
     step = -(-max(pixels.shape[:2]) // MOST_PIXELS)
     if step == 1:
@@ -156,7 +156,7 @@ def _places(picture: Picture | None, points: Floats) -> Floats:
 def _with_corners(
     positions: Floats, triangles: Ints, normals: Floats, corners: Floats, finish: Finish
 ) -> SurfaceMesh:
-    """A mesh whose triangles have places (3 m, 2) of their own at their corners: as few vertices as that needs."""
+    """A mesh whose triangles have places (3 m, 2) at their corners: with as few vertices as that needs."""
     corner_data = np.column_stack([triangles.ravel(), corners])
     own, numbers = np.unique(corner_data, axis=0, return_inverse=True)
     vertices = own[:, 0].astype(np.intp)

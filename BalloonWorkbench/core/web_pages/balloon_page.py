@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The web page of one job: its balloons in 3D, their numbers, the pattern, advice; one file without a network."""
+"""The web page of one job: its balloons in 3D, their numbers, the pattern, advice; needs no network."""
 
 from __future__ import annotations
 
@@ -48,7 +48,9 @@ def balloon_page(subject: BalloonPage, language: str = "en", say: Say = in_engli
     cards = [
         _card(say("Balloon"), _view(subject, say), wide=True),
         *(
-            _card(_numbered(say("Numbers"), k, len(subject.tables)), [values_table(*_of(each)) for each in own])
+            _card(
+                _numbered(say("Numbers"), k, len(subject.tables)), [values_table(*_of(each)) for each in own]
+            )
             for k, own in enumerate(subject.tables, 1)
         ),
     ]
@@ -101,10 +103,7 @@ def _pattern(subject: BalloonPage, say: Say) -> Markup:
     start = text.index(_SVG)  # what stands before is for XML
     head, _, rest = text[start:].partition(">")
     drawing = Markup(f'{head} role="img">{label}{rest}')
-    lines = [
-        element("li", _sample(colour), name)
-        for colour, name in subject.lines
-    ]
+    lines = [element("li", _sample(colour), name) for colour, name in subject.lines]
     return Markup(element("div", drawing, class_="pattern") + element("ul", *lines, class_="legend"))
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Charts of a web page as SVG, of plain data: points, a histogram, tornado bars. The same bytes for the same."""
+"""Charts of a web page as SVG, of plain data: points, a histogram, tornado bars. Same bytes for same data."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ def axis_of(title: str, values: Sequence[float]) -> Axis:
 def scatter_chart(
     title: str, across: tuple[str, Sequence[float]], up: tuple[str, Sequence[float]], names: Sequence[str]
 ) -> Markup:
-    """A point for each pair of finite values: (title, values) of both axes; names are shown under the mouse."""
+    """A point for each pair of finite values: (title, values) of both axes; names show under the mouse."""
     pairs = [
         (x, y, name)
         for x, y, name in zip(across[1], up[1], names, strict=True)
@@ -163,15 +163,9 @@ def _ticks_below(axis: Axis, place: Callable[[float], float], height: float) -> 
 
 
 def _chart(title: str, parts: Sequence[Markup], height: float = _HEIGHT) -> Markup:
-    return element(
-        "svg",
-        element("title", title),
-        *parts,
-        viewBox=f"0 0 {_text(_WIDTH)} {_text(height)}",
-        class_="plot",
-        role="img",
-        aria_label=title,
-    )
+    box = f"0 0 {_text(_WIDTH)} {_text(height)}"
+    drawing = element("svg", *parts, viewBox=box, class_="plot", role="img", aria_label=title)
+    return element("figure", element("figcaption", title), drawing)
 
 
 def _empty(title: str) -> Markup:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import base64
 import hashlib
 import html
+import re
 from collections.abc import Iterable, Sequence
 
 from BalloonWorkbench.core.files.data_file import RESOURCES
@@ -17,6 +18,7 @@ from BalloonWorkbench.core.files.data_file import RESOURCES
 #: Scripts and style, classic ones: modules are not loaded from files.
 _FOLDER = RESOURCES / "web"
 VIEWER, TABLE, _STYLE = "viewer.js", "table.js", "page.css"
+_LINE_END, _UNSHOWN = re.compile(r"\r\n?"), re.compile(r"[^\t\n -\ud7ff\ue000-\U0010ffff]")
 #: Elements that have no content and no end.
 _VOID = {"img", "meta", "br"}
 
@@ -79,6 +81,5 @@ def _hash(text: str) -> str:
 
 
 def _readable(text: str) -> str:
-    """Without letters that are none, as in names of files from other systems, and those that no page may have."""
-    valid = text.encode(errors="replace").decode()
-    return "".join(letter if letter >= " " or letter in "\t\n" else "\ufffd" for letter in valid)
+    """A sign for letters that are none, as in names of other systems' files, and those no page may have."""
+    return _UNSHOWN.sub("\ufffd", _LINE_END.sub("\n", text))

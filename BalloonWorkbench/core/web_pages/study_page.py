@@ -17,7 +17,10 @@ from BalloonWorkbench.core.web_pages.page import TABLE, Markup, data_uri, elemen
 from BalloonWorkbench.core.web_pages.table import TableColumn, Value, sortable_table, values_table
 
 #: Rows that a browser sorts without waiting, points of a chart that can be told apart, charts on a page.
-MOST_ROWS, MOST_POINTS, MOST_CHARTS = 2000, 5000, 12
+MOST_ROWS, MOST_POINTS, MOST_CHARTS = 1000, 1000, 8
+
+#: Kinds of columns.
+PLAIN, CHOSEN, RESULT = "plain", "chosen", "result"
 
 Row = Mapping[str, Any]
 
@@ -26,12 +29,13 @@ Row = Mapping[str, Any]
 class StudyColumn:
     """A column of the table.
 
-    name    its key in the rows, as in table.csv; result: it is a result, not a value that was chosen
+    name    its key in the rows, as in table.csv
+    kind    CHOSEN or RESULT: what charts are about; PLAIN for anything else
     number  what a value of it is as a number, by how it is written, for charts; None: the values are numbers
     """
 
     name: str
-    result: bool = False
+    kind: str = PLAIN
     number: Mapping[Any, float] | None = None
 
     @property
@@ -54,7 +58,8 @@ class StudyPage:
 
     rows      of the table: by column, and under `failure` the sentence of one that has no balloon, else ""
     shown     the columns whose charts are drawn first, by name
-    pictures  small PNGs by the value of `key` in a row; links: where more about a row is, relative to the page
+    pictures  small PNGs by the value of `key` in a row
+    links     where more about a row is, relative to the page, by the same
     charts    more of them, made by charts.py
     """
 
@@ -84,7 +89,9 @@ def study_page(subject: StudyPage, language: str = "en", say: Say = in_english) 
     cards.append(element("section", _table(subject, varied, say), class_="card wide"))
     if common and len(subject.rows) > 1:
         values = [(each.title, _written(subject.rows[0][each.name], say)) for each in common]
-        cards.append(element("section", values_table(say("The same in all rows"), values), class_="card wide"))
+        cards.append(
+            element("section", values_table(say("The same in all rows"), values), class_="card wide")
+        )
     head = element("header", element("h1", subject.title), element("p", counts, class_="soft"))
     return web_page(subject.title, language, [head, element("main", *cards, class_="cards")], [TABLE])
 
@@ -100,14 +107,15 @@ def _is_common(column: StudyColumn, rows: Sequence[Row]) -> bool:
 
 def _charts(subject: StudyPage, columns: Sequence[StudyColumn], say: Say) -> list[Markup]:
     """Each result over each number that was chosen; where none was, how often each result occurs."""
-    rows = [row for row in subject.rows if not row.get(subject.failure)][:MOST_POINTS]
+    made = [row for row in subject.rows if not row.get(subject.failure)]
+    rows = made[:: max(1, -(-len(made) // MOST_POINTS))]
     numbers = {
         each.name: values
         for each in columns
         if sum(map(math.isfinite, values := [each.number_of(row) for row in rows])) > 1
     }
-    chosen = [each for each in columns if each.name in numbers and not each.result]
-    results = [each for each in columns if each.name in numbers and each.result]
+    chosen = [each for each in columns if each.name in numbers and each.kind == CHOSEN]
+    results = [each for each in columns if each.name in numbers and each.kind == RESULT]
     order = {name: place for place, name in enumerate(subject.shown)}
     results.sort(key=lambda each: order.get(each.name, len(order)))
     if not chosen:

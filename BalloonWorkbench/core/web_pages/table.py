@@ -16,9 +16,7 @@ Value = str | float | Markup | None
 
 def values_table(title: str, rows: Sequence[tuple[str, Content]]) -> Markup:
     """Names and their values, with a title."""
-    lines = [
-        element("tr", element("th", name, scope="row"), element("td", value)) for name, value in rows
-    ]
+    lines = [element("tr", element("th", name, scope="row"), element("td", value)) for name, value in rows]
     return Markup(element("h3", title) + element("table", element("tbody", *lines), class_="values"))
 
 
@@ -56,10 +54,8 @@ def sortable_table(caption: str, columns: Sequence[TableColumn], rows: Sequence[
 
 
 def _cell(column: TableColumn, value: Value) -> Markup:
-    if value is None:
-        return element("td", data_value="")
     if isinstance(value, str):
         return element("td", value)
-    kind = "number" if column.numeric else None
-    known = repr(float(value)) if math.isfinite(value) else ""
-    return element("td", number_text(value, 4), class_=kind, data_value=known)
+    if value is None or not math.isfinite(value):
+        return element("td")
+    return element("td", number_text(value, 4), class_="number" if column.numeric else None)

@@ -7,6 +7,7 @@ https://chromedevtools.github.io/devtools-protocol: JSON messages that end with 
 from __future__ import annotations
 
 import base64
+import fcntl
 import io
 import itertools
 import json
@@ -20,9 +21,9 @@ import numpy as np
 from matplotlib.image import imread
 
 PROGRAM = shutil.which("chromium-headless-shell")
-_OPTIONS = ("--no-sandbox", "--remote-debugging-pipe", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
-            "--hide-scrollbars", "--disable-dev-shm-usage", "--disable-gpu-sandbox")  # fmt: skip
-_WIDE, _TALL = 1000, 800
+_OPTIONS = ("--no-sandbox", "--remote-debugging-pipe", "--hide-scrollbars", "--disable-dev-shm-usage",
+            "--disable-gpu-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader")  # fmt: skip
+_WIDE, _TALL = 640, 560
 
 
 class Browser:
@@ -32,15 +33,16 @@ class Browser:
         assert PROGRAM is not None
         theirs_in, ours_out = os.pipe()
         ours_in, theirs_out = os.pipe()
-        command = [PROGRAM, *_OPTIONS, f"--user-data-dir={folder}", f"--window-size={_WIDE},{_TALL}"]
-        # it reads from 3 and writes to 4
-        wrapped = ["sh", "-c", f'exec "$@" 3<&{theirs_in} 4>&{theirs_out}', "sh", *command, "about:blank"]
-        quiet = subprocess.DEVNULL
-        self._process = subprocess.Popen(
-            wrapped, pass_fds=(theirs_in, theirs_out), stdin=quiet, stdout=quiet, stderr=quiet
-        )
+        theirs = [fcntl.fcntl(each, fcntl.F_DUPFD, 10) for each in (theirs_in, theirs_out)]
         os.close(theirs_in)
         os.close(theirs_out)
+        command = [PROGRAM, *_OPTIONS, f"--user-data-dir={folder}", f"--window-size={_WIDE},{_TALL}"]
+        # it reads from 3 and writes to 4
+        wrapped = ["bash", "-c", f'exec "$@" 3<&{theirs[0]} 4>&{theirs[1]}', "bash", *command, "about:blank"]
+        quiet = subprocess.DEVNULL
+        self._process = subprocess.Popen(wrapped, pass_fds=theirs, stdin=quiet, stdout=quiet, stderr=quiet)
+        for each in theirs:
+            os.close(each)
         self._out, self._in = os.fdopen(ours_out, "wb"), os.fdopen(ours_in, "rb")
         self._rest, self._count, self._session = b"", itertools.count(1), None
         self.asked: list[str] = []
@@ -64,16 +66,23 @@ class Browser:
 
     def open(self, path: Path) -> None:
         """Open a page from its file and wait until all of it is drawn."""
+        self.open_without_scripts(path)
+        self.settle()
+
+    def open_without_scripts(self, path: Path) -> None:
+        """Open a page from its file and wait until all of it has come."""
         self.asked.clear()
         self.complaints.clear()
         self.call("Page.navigate", url=path.as_uri())
         while (answer := self._next()).get("method") != "Page.loadEventFired":
             self._take_note(answer)
-        self.settle()
 
     def settle(self) -> None:
         """Two pictures later, what was asked for is drawn."""
-        self.run("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 50))))")
+        self.run(
+            "new Promise((done) =>"
+            " requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 50))))"
+        )
 
     def run(self, script: str) -> Any:
         """The value of an expression in the page; a promise is waited for."""
@@ -82,9 +91,9 @@ class Browser:
         return ran["result"].get("value")
 
     def picture(self, *box: float) -> np.ndarray:
-        """Pixels (h, w, 3) of the window, or of a box in it: left, top, width, height."""
+        """Pixels (h, w, 3) of the window, or of a box in it: left, top, width, height; what is in sight."""
         clip = {"clip": dict(zip(("x", "y", "width", "height"), box)) | {"scale": 1}} if box else {}
-        data = self.call("Page.captureScreenshot", format="png", captureBeyondViewport=bool(box), **clip)["data"]
+        data = self.call("Page.captureScreenshot", format="png", **clip)["data"]
         return np.rint(255 * imread(io.BytesIO(base64.b64decode(data)))[..., :3]).astype(int)
 
     def drag(self, start: tuple[float, float], end: tuple[float, float]) -> None:
