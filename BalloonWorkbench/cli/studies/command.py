@@ -36,11 +36,11 @@ def run(options: argparse.Namespace, say: Say) -> int:
             return _show([say(f"Wrote {path}") for path in write_table(study, folder)])
     line = console.StatusLine(sys.stderr)
 
-    def tell(done: int, of: int, _last: Finished | None) -> None:
+    def observe(done: int, of: int, _last: Finished | None) -> None:
         line.show(done / max(of, 1), say(f"balloon {done} of {of}"))
 
     try:
-        outcome = run_study(study, options.out, _runner(options), options.shard, tell)
+        outcome = run_study(study, options.out, _runner(options), options.shard, observe)
     finally:
         line.clear()
     made, failed = outcome.made, len(outcome.failures)

@@ -16,7 +16,7 @@ from BalloonWorkbench.core.files.user_file import read_whole
 from BalloonWorkbench.core.studies.axes import Axis, Between, axis_of
 from BalloonWorkbench.core.studies.columns import column_named
 from BalloonWorkbench.core.studies.job import MOST_ROWS, REPORT
-from BalloonWorkbench.core.studies.study import Grid, Row, Samples, Study, check_count, points_of
+from BalloonWorkbench.core.studies.study import Grid, Row, SampledRows, Study, check_count, points_of
 
 _LARGEST = 1 << 30  # bytes
 FIXED, VARY, SAMPLE, ROWS, KEEP = "fixed", "vary", "sample", "rows", "keep"
@@ -63,7 +63,7 @@ def study_of(data: Mapping[str, Any], folder: Path, most: int = MOST_ROWS) -> St
     }
     fixed = {name: value for name, value in fixed.items() if name not in axes}
     if SAMPLE in data:
-        rows: Grid | Samples = _samples(data[SAMPLE], fixed, axes, most)
+        rows: Grid | SampledRows = _samples(data[SAMPLE], fixed, axes, most)
     else:
         rows = _grid(fixed, axes, most)
     return Study((*fixed, *axes), rows, keep, folder)
@@ -104,7 +104,7 @@ def _grid(fixed: Row, axes: Mapping[str, Axis], most: int) -> Grid:
     return grid
 
 
-def _samples(data: Any, fixed: Row, axes: Mapping[str, Axis], most: int) -> Samples:
+def _samples(data: Any, fixed: Row, axes: Mapping[str, Axis], most: int) -> SampledRows:
     if not isinstance(data, Mapping) or set(data) - {"kind", "rows", "seed"}:
         raise InputError(
             f'"{SAMPLE}" cannot be read: write {{"kind": "latin-hypercube", "rows": 100, "seed": 1}}.'
@@ -117,7 +117,7 @@ def _samples(data: Any, fixed: Row, axes: Mapping[str, Axis], most: int) -> Samp
     check_count(rows, most)
     if not axes:
         raise InputError(f'Nothing varies: give "{VARY}" a column.')
-    return Samples(fixed, axes, points_of(str(data.get("kind", "")), rows, len(axes), seed))
+    return SampledRows(fixed, axes, points_of(str(data.get("kind", "")), rows, len(axes), seed))
 
 
 def _listed(data: Any, fixed: Row, keep: str, folder: Path, most: int) -> Study:
