@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import csv
+import itertools
 import json
 import os
 import signal
@@ -143,7 +144,9 @@ def test_no_process_is_left_when_a_study_is_killed(tmp_path: Path) -> None:
 
 
 def children(pid: int) -> list[int]:
-    return [int(each) for each in Path(f"/proc/{pid}/task/{pid}/children").read_text().split()]
+    """Also those that its threads started."""
+    listed = [path.read_text().split() for path in Path(f"/proc/{pid}/task").glob("*/children")]
+    return [int(each) for each in itertools.chain(*listed)]
 
 
 def alive(pid: int) -> bool:
