@@ -77,7 +77,9 @@ def parser() -> argparse.ArgumentParser:
         command.add_argument("--out", metavar="DIR", required=True, help="folder for the files")
         _add_language(command)
         _add_options(command)
-    add_study(_add_parser(commands, STUDY, "make many balloons, from a table of options or a grid"))
+    study = _add_parser(commands, STUDY, "make many balloons, from a table of options or a grid")
+    add_study(study)
+    _add_language(study)
     commands.add_parser(
         FETCH,
         help="fetch the native solver from the network, where the workbench came without it",

@@ -38,6 +38,8 @@ from BalloonWorkbench.core.web_pages.balloon_page import BalloonPage, NamedTable
 GLB, PAGE = "balloon.glb", "report.html"
 #: Of the page's picture: width, height, dots per inch.
 _PICTURE, _DPI = (720, 540), 96.0
+#: Side of a small picture [pixels].
+_SMALL = 96
 #: The balloons of a job by their names.
 Shown = Mapping[str, Sequence[SurfaceMesh]]
 
@@ -111,6 +113,13 @@ def page_file(
         list(map(say, warnings)),
     )
     return balloon_page(subject, language, say)
+
+
+def small_png(balloon: Balloon | FinishedBags) -> bytes:
+    """A small picture of a job's balloons in their film's colour, as PNG."""
+    meshes = [mesh for each in shown(balloon, "").values() for mesh in each]
+    picture = meshes_picture(meshes, _SMALL, _SMALL)
+    return png_bytes(np.rint(255.0 * picture).astype(np.uint8), _DPI)
 
 
 def _tables(part: Part | BagPart, film: Film, say: Say) -> list[NamedTable]:

@@ -32,16 +32,23 @@ class StudyColumn:
     name    its key in the rows, as in table.csv
     kind    CHOSEN or RESULT: what charts are about; PLAIN for anything else
     number  what a value of it is as a number, by how it is written, for charts; None: the values are numbers
+    unit    of these numbers, where the name has none
     """
 
     name: str
     kind: str = PLAIN
     number: Mapping[Any, float] | None = None
+    unit: str = ""
 
     @property
     def title(self) -> str:
         """As people read it: max_tension_N_per_m is max tension N/m."""
         return self.name.replace("_per_", "/").replace("_", " ")
+
+    @property
+    def axis(self) -> str:
+        """The title with the unit."""
+        return f"{self.title} {self.unit}".strip()
 
     def number_of(self, row: Row) -> float:
         """The number in a row; nan where there is none."""
@@ -61,6 +68,7 @@ class StudyPage:
     pictures  small PNGs by the value of `key` in a row
     links     where more about a row is, relative to the page, by the same
     charts    more of them, made by charts.py
+    count     how many rows there are, where these are only the first ones
     """
 
     title: str
@@ -70,6 +78,7 @@ class StudyPage:
     pictures: Mapping[str, bytes] = field(default_factory=dict)
     links: Mapping[str, str] = field(default_factory=dict)
     charts: Sequence[Markup] = ()
+    count: int | None = None
     key: str = "key"
     failure: str = "failure"
 
@@ -78,6 +87,8 @@ def study_page(subject: StudyPage, language: str = "en", say: Say = in_english) 
     """The page's content; the same bytes for the same. language: of the texts, as in "de"."""
     failed = sum(bool(row.get(subject.failure)) for row in subject.rows)
     counts = say(f"Rows: {len(subject.rows)}, without a balloon: {failed}")
+    if subject.count is not None and subject.count > len(subject.rows):
+        counts = say(f"The first {len(subject.rows)} of {subject.count} rows, without a balloon: {failed}")
     columns = [each for each in subject.columns if any(_known(row.get(each.name)) for row in subject.rows)]
     common = [each for each in columns if _is_common(each, subject.rows)]
     varied = [each for each in columns if each not in common]
@@ -128,7 +139,7 @@ def _charts(subject: StudyPage, columns: Sequence[StudyColumn], say: Say) -> lis
     return [
         scatter_chart(
             say(f"{up.title} over {across.title}"),
-            (across.title, numbers[across.name]),
+            (across.axis, numbers[across.name]),
             (up.title, numbers[up.name]),
             names,
         )
