@@ -33,6 +33,8 @@ from BalloonWorkbench.core.web_pages.study_page import (
 PAGE = "study.html"
 #: Rows that a page looks at, and pictures on it, whatever the study has.
 _MOST_READ, _MOST_PICTURES = 20_000, 300
+#: Results whose charts come first.
+_SHOWN = ("volume_m3", "safe_pressure_Pa", "lift_g", "error_mean_mm", "max_tension_N_per_m", "weight_g")
 #: What a small picture may weigh [bytes]: others have put their own there.
 _LARGEST = 100_000
 #: Units of numbers in charts, by kind, and what makes them of SI units.
@@ -70,7 +72,7 @@ def write_page(
     for row in rows:
         if len(pictures) < _MOST_PICTURES and not row[FAILURE]:
             pictures |= _picture(folder, row[KEY])
-    subject = StudyPage(title, made, rows, pictures=pictures, count=len(study.rows))
+    subject = StudyPage(title, made, rows, _SHOWN, pictures, count=len(study.rows))
     write_files(folder.place, {PAGE: study_page(subject, language, say)})
     return folder.place / PAGE
 
@@ -87,10 +89,14 @@ def _column(name: str, rows: list[TableRow], result: bool, *, chosen: bool) -> S
 
 
 def _number(name: str, value: Any) -> float | None:
+    """A value in SI units, the usual one where none is written; None for what is no number."""
+    column = columns()[name]
     try:
-        return columns()[name].number(value)
+        number = column.number(value)
     except InputError:  # the row tells it
         return None
+    usual = column.option.default if column.is_number and column.option is not None else None
+    return float(usual) if number is None and isinstance(usual, (int, float)) else number
 
 
 def _picture(folder: StudyFolder, key: str) -> dict[str, bytes]:

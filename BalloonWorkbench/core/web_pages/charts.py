@@ -11,7 +11,7 @@ from BalloonWorkbench.core.units import number_text
 from BalloonWorkbench.core.web_pages.page import Markup, element
 
 _WIDTH, _HEIGHT = 480.0, 300.0
-_LEFT, _RIGHT, _TOP, _BOTTOM = 64.0, 12.0, 12.0, 46.0
+_LEFT, _RIGHT, _TOP, _BOTTOM = 84.0, 26.0, 12.0, 46.0
 _TICKS = 5
 _ROW = 26.0
 _NAME = 150.0  # room for the names of bars
