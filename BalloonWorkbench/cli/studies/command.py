@@ -9,15 +9,19 @@ import sys
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 from BalloonWorkbench.cli import console
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.files.data_file import read_data
 from BalloonWorkbench.core.language.speech import chosen_language
 from BalloonWorkbench.core.studies.folder import StudyFolder
 from BalloonWorkbench.core.studies.job import WHOLE, Finished, Runner
 from BalloonWorkbench.core.studies.page import write_page
 from BalloonWorkbench.core.studies.read_study import read_study
 from BalloonWorkbench.core.studies.run import plan_study, run_study
+from BalloonWorkbench.core.studies.runners.dask_runner import DaskRunner
+from BalloonWorkbench.core.studies.runners.job_scripts import SCRIPTS
 from BalloonWorkbench.core.studies.runners.subprocesses import Subprocesses
 from BalloonWorkbench.core.studies.study import Study
 from BalloonWorkbench.core.studies.table import write_table
@@ -33,6 +37,9 @@ def run(options: argparse.Namespace, say: Say) -> int:
         study = replace(study, keep=options.keep)
     if options.jobs < 0 or not options.timeout > 0.0:
         raise InputError("--jobs and --timeout are numbers above 0.")
+    settings = _settings(options.cluster)
+    if options.script is not None:
+        return _show([_script(options, settings).rstrip()])
     if options.dry_run:
         return _show(_planned(study, options.out, say))
     if options.collect:
@@ -46,7 +53,7 @@ def run(options: argparse.Namespace, say: Say) -> int:
         line.show(done / max(of, 1), say(f"balloon {done} of {of}"))
 
     try:
-        outcome = run_study(study, options.out, _runner(options), options.shard, observe)
+        outcome = run_study(study, options.out, _runner(options, settings), options.shard, observe)
     finally:
         line.clear()
     made, failed = outcome.made, len(outcome.failures)
@@ -68,8 +75,36 @@ def _page(
     return write_page(study, StudyFolder(options.out), title, failures, language, say)
 
 
-def _runner(options: argparse.Namespace) -> Runner:
+def _runner(options: argparse.Namespace, settings: dict[str, Any]) -> Runner:
+    if options.scheduler and options.dask:
+        raise InputError("Give either --scheduler or --dask.")
+    if options.scheduler or options.dask:
+        return DaskRunner(options.scheduler, options.dask, options.jobs, settings, options.timeout)
     return Subprocesses(options.jobs, options.timeout)
+
+
+def _script(options: argparse.Namespace, settings: dict[str, Any]) -> str:
+    """The script that was asked for. Raises InputError."""
+    if options.shards < 1:
+        raise InputError("A script needs to know how many shards it has: give --shards a number.")
+    command = ["study", os.path.abspath(options.study), "--out", os.path.abspath(options.out)]
+    command += ["--timeout", f"{options.timeout:g}", "--most", str(options.most)]
+    command += [] if options.keep is None else ["--keep", options.keep]
+    return SCRIPTS[options.script](command, options.shards, settings)
+
+
+def _settings(name: str | None) -> dict[str, Any]:
+    """What the file of a cluster says. Raises InputError."""
+    if name is None:
+        return {}
+    try:
+        data = read_data(Path(name))
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or error
+        raise InputError(f"'{name}' cannot be read ({reason}): name a JSON file of settings.") from None
+    if not isinstance(data, dict):
+        raise InputError(f"'{name}' is no JSON object: write {{\"queue\": ...}}.")
+    return data
 
 
 def _planned(study: Study, out: str, say: Say) -> list[str]:
