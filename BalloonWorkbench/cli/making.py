@@ -20,7 +20,7 @@ from BalloonWorkbench.core.machines.machine_file import checked_files
 from BalloonWorkbench.core.nesting.layout import GrainRule, Stock
 from BalloonWorkbench.core.options.making import HTML
 from BalloonWorkbench.core.products import Artwork, assembly_files, bag_print, nested, print_files
-from BalloonWorkbench.core.sharing import GLB, PAGE, glb_file, page_file
+from BalloonWorkbench.core.shared.sharing import GLB, PAGE, glb_file, page_file
 from BalloonWorkbench.core.tracing.picture_file import decode, picture_size
 from BalloonWorkbench.core.types import Attempt, Progress, Say
 from BalloonWorkbench.core.units import (

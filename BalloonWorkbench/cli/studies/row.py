@@ -15,7 +15,7 @@ from BalloonWorkbench.cli.options import parser
 from BalloonWorkbench.cli.settings import balloon_of, settings_of
 from BalloonWorkbench.core.bag_job import has_many_panels
 from BalloonWorkbench.core.job import report_bytes
-from BalloonWorkbench.core.sharing import small_png
+from BalloonWorkbench.core.shared.sharing import small_png
 from BalloonWorkbench.core.studies.folder import REPORT as NAME
 from BalloonWorkbench.core.studies.job import FILES, PICTURE, PICTURES
 
