@@ -12,6 +12,7 @@ from BalloonWorkbench.core.options.making import (
     MachineOptions,
     ResultOptions,
     RunOptions,
+    SharingOptions,
     SheetOptions,
     WeldingOptions,
 )
@@ -38,6 +39,7 @@ DECLARED: tuple[type, ...] = (
     WeldingOptions,
     ResultOptions,
     AssemblyOptions,
+    SharingOptions,
     ArtworkOptions,
     SheetOptions,
 )
