@@ -11,9 +11,8 @@ from typing import Any
 
 import pytest
 
-from BalloonWorkbench.core import bag_job, job
 from BalloonWorkbench.core.pages import pdf
-from BalloonWorkbench.core.pictures import render
+from BalloonWorkbench.core.pictures import bag_preview, preview, render
 
 _LOOKED_AT = {"test_export_preview", "test_assembly", "test_house", "test_absence"}
 _SMALL = 1_000_000  # bytes of a font that is quicker to write whole
@@ -25,8 +24,8 @@ def rough_pictures(request: pytest.FixtureRequest) -> Iterator[None]:
     half of the time, but where they are what is tested."""
     with pytest.MonkeyPatch.context() as patch:
         if request.module.__name__ not in _LOOKED_AT:
-            patch.setattr(job, "preview_png", lambda *_given: b"no preview")
-            patch.setattr(bag_job, "bag_preview_png", lambda *_given: b"no preview")
+            patch.setattr(preview, "preview_png", lambda *_given: b"no preview")
+            patch.setattr(bag_preview, "bag_preview_png", lambda *_given: b"no preview")
             patch.setattr(render, "_OVERSAMPLING", 1)
             _whole_fonts(patch)
         yield
