@@ -16,7 +16,7 @@ from drawn_pictures import any_of, coloured, disc, drawn, png, ring
 from matplotlib.image import imread
 
 from BalloonWorkbench.cli import command_line, settings
-from BalloonWorkbench.core import job
+from BalloonWorkbench.core.pictures import preview
 from BalloonWorkbench.core.pictures.preview import preview_png
 from BalloonWorkbench.core.readers.read import read_outline
 
@@ -33,7 +33,7 @@ def heart(tmp_path_factory: pytest.TempPathFactory) -> Path:
     words += ["--out", str(folder)]
     with pytest.MonkeyPatch.context() as patch:
         patch.delitem(sys.modules, "FreeCAD")  # the one design here that is written with its document
-        patch.setattr(job, "preview_png", preview_png)  # and with its picture
+        patch.setattr(preview, "preview_png", preview_png)  # and with its picture
         assert command_line.main(words) == 0
     return folder
 
