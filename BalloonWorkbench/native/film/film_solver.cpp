@@ -13,6 +13,7 @@
 
 #include "newton.h"
 #include "tangent.h"
+#include "threads.h"
 
 struct film_solver {
     film::Shell shell;
@@ -83,6 +84,10 @@ film::State state_of(const double* positions, const double* directors, int verti
 
 int32_t film_abi_version(void) {
     return FILM_ABI_VERSION;
+}
+
+void film_set_threads(int32_t count) {
+    film::set_threads(count);
 }
 
 const char* film_last_error(void) {

@@ -6,6 +6,7 @@
 
 #include "cholesky/cholesky.h"
 #include "convergence.h"
+#include "threads.h"
 
 namespace film {
 namespace {
@@ -24,7 +25,7 @@ public:
               const std::function<bool(double)>& progress)
         : shell_(shell), state_(state), settings_(settings), constants_(constants), progress_(progress),
           hessian_(shell.hessian()),
-          factorisation_(hessian_.pattern(), shell.blocks(), cholesky::default_threads()),
+          factorisation_(hessian_.pattern(), shell.blocks(), threads_for(shell.vertices())),
           shift_(constants.shift * shell.masses(constants.director_shift)),
           convergence_(shell, settings.tolerance, constants),
           slack_stiffness_(shell.in_space() ? constants.slack_stiffness : 0.0) {

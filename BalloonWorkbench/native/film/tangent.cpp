@@ -5,13 +5,14 @@
 #include <stdexcept>
 
 #include "cholesky/cholesky.h"
+#include "threads.h"
 
 namespace film {
 
 bool tangent_solve(Shell shell, const State& state, const film_constants& constants, int fields,
                    const double* loads, double* moves) {
     BlockMatrix hessian = shell.hessian();
-    cholesky::Factorisation factorisation(hessian.pattern(), shell.blocks(), cholesky::default_threads());
+    cholesky::Factorisation factorisation(hessian.pattern(), shell.blocks(), threads_for(shell.vertices()));
     const Eigen::VectorXd shift = constants.shift * shell.masses(constants.director_shift);
     const Frames frames(state.directors);
     Eigen::VectorXd gradient;

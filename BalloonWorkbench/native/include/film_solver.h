@@ -21,7 +21,7 @@
 extern "C" {
 #endif
 
-enum { FILM_ABI_VERSION = 8 };
+enum { FILM_ABI_VERSION = 9 };
 
 typedef enum {
     FILM_OK = 0,
@@ -78,6 +78,10 @@ typedef int32_t (*film_progress)(double fraction, void* user);
 
 FILM_API int32_t film_abi_version(void);
 FILM_API const char* film_last_error(void);
+
+// Threads of each solve that begins from now on, in this process; 0: as many as find work. Small meshes take
+// one. The result does not depend on it, to the last bit.
+FILM_API void film_set_threads(int32_t count);
 
 // rest_positions (vertices, 2); triangle_corners (triangles, 3); fixed (vertices, 5) non-zero where x, y, z
 // or one of the two turns of the director is held; loads (vertices, 3) or null; tied (vertices) the

@@ -21,7 +21,7 @@ from BalloonWorkbench.core.solver.native.library import (
 if TYPE_CHECKING:
     import ctypes
 
-ABI_VERSION = 8
+ABI_VERSION = 9
 _FOLDER = FOLDER
 
 
@@ -60,6 +60,8 @@ def _opened(path: Path) -> tuple[ctypes.CDLL, int]:
     library.film_last_error.restype = ctypes.c_char_p
     library.film_destroy.argtypes = [ctypes.c_void_p]
     library.film_destroy.restype = None
+    library.film_set_threads.argtypes = [ctypes.c_int32]
+    library.film_set_threads.restype = None
     return library, version
 
 
@@ -85,3 +87,13 @@ def library() -> ctypes.CDLL:
     if loaded is None:
         raise SolverError(f"The native solver is not available: {why} Use the NumPy solver.")
     return loaded
+
+
+def use_threads(count: int | None) -> None:
+    """How many threads a solve takes in this process; None: as many as find work. Small meshes take one.
+
+    Nothing where there is no native solver. The result does not depend on it, to the last bit.
+    """
+    loaded, _ = _load()
+    if loaded is not None:
+        loaded.film_set_threads(count or 0)
