@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
-from speed import cases, evolver
+from speed import account, cases, evolver
 
 #: What is aimed at.
 COLD, COLD_WORST, GROWTH, WARM, NATIVE, MEMORY = 30.0, 60.0, 1.4, 6.0, 5.0, 1500.0
@@ -81,6 +81,7 @@ def written(measured: dict[str, Any]) -> str:
         "## Against the aims\n\n" + _table(("aim", "found", ""), _aims(measured)),
         _strokes(measured["strokes"]),
         "## Cold and warm\n\n" + _solves(measured["solves"]),
+        account.section(_done(measured["solves"]), _table),
     ]
     if measured["numpy"]:
         parts.append("## Native against NumPy\n\n" + _numpy(measured["numpy"]))
@@ -95,6 +96,11 @@ def with_strokes(text: str, measured: dict[str, Any] | None) -> str:
     kept = [part for part in parts if not part.startswith(_STROKES_TITLE)]
     head, aims, *rest = kept
     return "\n## ".join([head, aims, _strokes(measured).removeprefix("## "), *rest])
+
+
+def with_account(text: str, measured: dict[str, Any]) -> str:
+    """The page with a new account of where the time goes."""
+    return account.replaced(text, account.section(measured["solves"], _table, _machine(measured) + "\n\n"))
 
 
 def _strokes(measured: dict[str, Any] | None) -> str:

@@ -12,7 +12,8 @@
 namespace cholesky {
 
 // Numbers on cache lines of their own, not initialised. Many of them lie on large pages, where the system has
-// such: it gives small ones one by one, each at its first use, which takes as long as factoring what they hold.
+// such: small ones it gives one by one, each at its first use, and that takes nearly as long as a
+// factorisation.
 class AlignedArray {
 public:
     explicit AlignedArray(size_t count)
