@@ -41,7 +41,8 @@ ROOMS = ["geometry", "files", "options", "pages", "language", "arcs", "outline",
 ROOMS += ["panels", "mesh", "bags", "bodies", "targets", "segmentation", "seam_edits", "flattening"]
 ROOMS += ["solver", "design", "correction", "bag_design", "target_design", "results"]
 ROOMS += ["pattern", "bag_pattern", "nesting", "making"]
-ROOMS += ["machines", "pictures", "artwork", "assembly_sheet", "advice", "reports"]
+ROOMS += ["machines", "pictures", "artwork", "scenes", "assembly_sheet", "advice", "reports", "web_pages"]
+ROOMS += ["studies"]
 
 OPTIONAL = ["cv2", "scipy", "ezdxf", "shapely", "pythoncdt", "matplotlib", "PIL"]
 OPTIONAL += ["spyrrow"]
@@ -311,6 +312,7 @@ BORDERS = {
     "BalloonWorkbench/core/files/foreign_reader.py": "readers of other projects",
     "BalloonWorkbench/cli/command_line.py": "the command line",
     "BalloonWorkbench/cli/freecad_process.py": "FreeCAD's process beside it",
+    "BalloonWorkbench/cli/studies/worker.py": "a row of a study",
     "BalloonWorkbench/app/api.py": "the Python API",
     "BalloonWorkbench/app/border/guard.py": "what FreeCAD calls in our objects, views and observers",
     "BalloonWorkbench/app/border/status.py": "a recompute",
