@@ -3,6 +3,7 @@
 
 bench.py [--sizes N ...] [--evolver-sizes N ...]
 bench.py --commands  only whole commands: the rest of the page stays as it is
+bench.py --account   only where the time of a cold inflation goes, for the disc: the rest of the page stays
 bench.py --strokes   only how soon a stroke is a balloon on the screen: the rest of the page stays as it is
 """
 
@@ -24,6 +25,7 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("--evolver-sizes", type=int, nargs="*", default=[2000, 10000])
     parser.add_argument("--strokes", action="store_true")
     parser.add_argument("--commands", action="store_true")
+    parser.add_argument("--account", action="store_true")
     options = parser.parse_args(arguments)
     folder = ROOT / "build" / "bench"
     folder.mkdir(parents=True, exist_ok=True)
@@ -33,6 +35,9 @@ def main(arguments: list[str]) -> int:
         text = page.with_commands(file.read_text(encoding="utf-8"), measured, commands.loading())
     elif options.strokes:
         text = page.with_strokes(file.read_text(encoding="utf-8"), strokes.measure(folder))
+    elif options.account:
+        measured = suite.measure_account(folder, sorted(options.sizes))
+        text = page.with_account(file.read_text(encoding="utf-8"), measured)
     else:
         text = page.written(
             suite.measure(folder, sorted(options.sizes), sorted(options.evolver_sizes), sys.stdout)

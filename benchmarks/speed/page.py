@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
-from speed import cases, evolver
+from speed import account, cases, evolver
 
 #: What is aimed at.
 COLD, COLD_WORST, GROWTH, WARM, NATIVE, MEMORY = 30.0, 60.0, 1.4, 6.0, 5.0, 1500.0
@@ -91,6 +91,7 @@ def written(measured: dict[str, Any]) -> str:
         _commands(measured["commands"], measured["loading"]),
         _strokes(measured["strokes"]),
         "## Cold and warm\n\n" + _solves(measured["solves"]),
+        account.section(_done(measured["solves"]), _table),
     ]
     if measured["numpy"]:
         parts.append("## Native against NumPy\n\n" + _numpy(measured["numpy"]))
@@ -126,6 +127,11 @@ def _commands(measured: list[dict[str, Any]], loading: float) -> str:
     ]
     head = ("command", "processor time", "yardsticks", "aim, of an idle processor")
     return _COMMANDS.format(title=_COMMANDS_TITLE, table=_table(head, rows), loading=loading)
+
+
+def with_account(text: str, measured: dict[str, Any]) -> str:
+    """The page with a new account of where the time goes."""
+    return account.replaced(text, account.section(measured["solves"], _table, _machine(measured) + "\n\n"))
 
 
 def _strokes(measured: dict[str, Any] | None) -> str:

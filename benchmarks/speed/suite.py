@@ -80,6 +80,19 @@ def measure(folder: Path, sizes: list[int], evolver_sizes: list[int], log: TextI
     return measured
 
 
+def measure_account(folder: Path, sizes: list[int]) -> dict[str, Any]:
+    """Solves of the disc alone, and the machine they ran on."""
+    measured: dict[str, Any] = {
+        "date": date.today().isoformat(),
+        "machine": machine.description(),
+        "load_before": machine.load(),
+        "solves": [_solve(folder, "disc", vertices, REPEAT_WITHIN / 3.0) for vertices in sizes],
+        "load_after": machine.load(),
+    }
+    (folder / "account.json").write_text(json.dumps(measured, indent=1), encoding="utf-8")
+    return measured
+
+
 def _job(shape: str, vertices: int, **other: Any) -> dict[str, Any]:
     job = {"shape": shape, "vertices": vertices, "backend": "native", "repeats": 1}
     return {

@@ -42,12 +42,18 @@ def main(job: dict[str, Any]) -> dict[str, Any]:
     times += [
         timed(lambda: inflate(panel, film, cases.PRESSURE, backend=backend))[1] for _ in range(repeats - 1)
     ]
+    none = NewtonSettings(max_steps=0)
+    begun = [
+        timed(lambda: inflate(panel, film, cases.PRESSURE, backend=backend, settings=none))[1]
+        for _ in range(repeats)
+    ]
     size = float(np.ptp(panel.rest_positions, axis=0).max())
     found = {
         "vertices": len(panel.rest_positions),
         "triangles": len(panel.triangles),
         "mesh": summary([meshing]),
         "cold": {**summary(times), **report(result)},
+        "begun": summary(begun),
         "peak_bytes": peak,
         "volume": result.volume / size**3,
         "facet_volume": 2.0 * facet_volume(result.positions, panel.triangles) / size**3,

@@ -10,7 +10,7 @@
 namespace cholesky {
 namespace {
 
-constexpr size_t kLeaf = 80; // vertices of a part that minimum degree orders better than a cut
+constexpr size_t kLeaf = 25; // vertices of a part that minimum degree orders better than a cut
 
 class Dissection {
 public:
