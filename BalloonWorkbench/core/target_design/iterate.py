@@ -20,7 +20,7 @@ from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.target_design.aim import Aim
-from BalloonWorkbench.core.target_design.curved_film import curved_film
+from BalloonWorkbench.core.target_design.curved_film import curved_film, sides
 from BalloonWorkbench.core.target_design.off_target import (
     FilmAway,
     OffTarget,
@@ -122,7 +122,9 @@ def make_target_iterate(
     areas = areas / areas.sum()
     positions, turn, off = surface.laid_over(inflation.positions, np.sqrt(areas))
     inflation = replace(inflation, positions=positions, directors=inflation.directors @ turn)
-    film_away = surface.film_away(positions, film.first[film.triangles])
+    own = np.arange(len(positions), dtype=np.int32)
+    ends = np.concatenate([np.column_stack([own, own]), sides(film)[0]])
+    film_away = surface.film_away(*curved_film(positions, inflation.directors, film), ends)
     return TargetIterate(meshed, inflation, areas, off, film_away, surface.few_samples[1])
 
 

@@ -21,7 +21,7 @@ from BalloonWorkbench.core.types import Floats, Ints
 _FINE = 0.02
 #: Cells of the grid in which one of the samples stands for all, of the diagonal; their shift from the planes
 #: of symmetry, on which many samples lie.
-_CELL, _ASIDE = 0.025, 0.37
+_CELL, _ASIDE = 0.035, 0.37
 _HAIR = 1e-6  # of the diagonal: nearer points take the normal of the surface
 #: The balloon is turned and moved onto the target in so many steps, or until one is no longer than this part
 #: of the diagonal.
@@ -40,19 +40,19 @@ class OffTarget:
 class FilmAway:
     """How far the film is from some samples (k,) of a target, and the places of the film nearest to them.
 
-    off      distances positive where the film is outside; directions in which its places move away
-    corners  (k, 3) vertices of the film's triangles at these places, shares (k, 3) of them
+    off       distances positive where the film is outside; directions in which its places move away
+    vertices  (k, 6) of the film that these places follow, shares (k, 6) of them
     """
 
     off: OffTarget
-    corners: Ints
+    vertices: Ints
     shares: Floats
 
     def follow(self, changes: Floats) -> Floats:
         """How the distances follow values (k, size), for those of the vertices (n, 3, size)."""
         parts = (
-            share[:, None] * np.einsum("ki,kij->kj", self.off.directions, changes[corner])
-            for corner, share in zip(self.corners.T, self.shares.T)
+            share[:, None] * np.einsum("ki,kij->kj", self.off.directions, changes[vertex])
+            for vertex, share in zip(self.vertices.T, self.shares.T)
         )
         return np.asarray(sum(parts))
 
@@ -87,14 +87,15 @@ class TargetSurface:
         areas = np.bincount(number.ravel(), vertex_areas(points, triangles))
         return points[first], areas / areas.sum()
 
-    def film_away(self, points: Floats, triangles: Ints) -> FilmAway:
-        """Of film of triangles between points (n, 3)."""
+    def film_away(self, points: Floats, triangles: Ints, ends: Ints) -> FilmAway:
+        """Of film as curved_film gives it; points move as the mean of their two ends (n, 2) does."""
         nearest = NearestSurface(points, triangles).query(self.few_samples[0])
         outward = (nearest.places - self.few_samples[0]) * -np.sign(nearest.distances)[:, None]
         near = np.abs(nearest.distances) < _HAIR * self.target.diagonal
         normals = unit(area_vectors(points, triangles[nearest.triangles]))
         off = OffTarget(-nearest.distances, np.where(near[:, None], normals, unit(outward)))
-        return FilmAway(off, triangles[nearest.triangles], nearest.shares)
+        vertices = ends[triangles[nearest.triangles]].reshape(-1, 6)
+        return FilmAway(off, vertices, 0.5 * np.repeat(nearest.shares, 2, axis=1))
 
     def laid_over(self, points: Floats, weights: Floats) -> tuple[Floats, Floats, OffTarget]:
         """Points (n, 3) turned and moved as a whole so that their weighted distances are least.

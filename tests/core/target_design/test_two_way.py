@@ -50,12 +50,13 @@ def test_distances_of_the_body_from_the_film_follow_its_vertices() -> None:
     body, film = ball(count=8), ball((1.1, 0.8, 1.0), count=5)
     surface, rng = TargetSurface(body), np.random.default_rng(2)
     moves = rng.normal(size=(*film.points.shape, 2))
-    away = surface.film_away(film.points, film.triangles)
+    own = np.repeat(np.arange(len(film.points), dtype=np.int32)[:, None], 2, axis=1)
+    away = surface.film_away(film.points, film.triangles, own)
     assert away.off.distances.min() < -0.05 < 0.05 < away.off.distances.max()
     step = 1e-6
     for column, expected in zip(np.moveaxis(moves, 2, 0), away.follow(moves).T):
         ahead, back = (
-            surface.film_away(film.points + sign * step * column, film.triangles).off.distances
+            surface.film_away(film.points + sign * step * column, film.triangles, own).off.distances
             for sign in (1.0, -1.0)
         )
         found = (ahead - back) / (2.0 * step)
@@ -73,7 +74,8 @@ def test_what_is_brought_down_is_the_mean_of_both_ways() -> None:
     simulation = replace(correction.simulation, surface=TargetSurface(spiked.target))
     made = replace(correction, simulation=simulation).first()
     counted = made.weights**2 @ np.abs(made.distances)
-    ways = both_ways(simulation.surface, made.positions, made.surface.first[made.surface.triangles])
+    film = curved_film(made.positions, made.inflation.directors, made.surface)
+    ways = both_ways(simulation.surface, *film)
     assert counted == pytest.approx(np.mean([way.mean for way in ways]), rel=0.1)
     assert np.abs(made.distances).max() == pytest.approx(ways[1].max, rel=0.05)
 
