@@ -21,7 +21,7 @@ from BalloonWorkbench.core.types import Floats, Ints
 _FINE = 0.02
 #: Cells of the grid in which one of the samples stands for all, of the diagonal; their shift from the planes
 #: of symmetry, on which many samples lie.
-_CELL, _ASIDE = 0.035, 0.37
+_CELL, _ASIDE = 0.02, 0.37
 _HAIR = 1e-6  # of the diagonal: nearer points take the normal of the surface
 #: The balloon is turned and moved onto the target in so many steps, or until one is no longer than this part
 #: of the diagonal.
