@@ -87,11 +87,11 @@ def check_thickness(panel: BagPanel, seal_width: float) -> None:
     """Raises AssemblyError for a panel that is too narrow for welds so wide [m] along both of its sides."""
     outline = Outline(panel.outer, panel.holes)
     around = sum(map(perimeter, panel.loops))
-    spacing = max(seal_width / _PER_SEAL, around / _MOST_SAMPLES)
+    mean = 2.0 * outline.area / around  # the width of a strip, half of that of a disc or a square
+    spacing = max(min(seal_width / _PER_SEAL, mean), around / _MOST_SAMPLES)
     narrowest, place = thickness(outline, 2.2 * seal_width, spacing).thinnest
-    mean = 2.0 * outline.area / around
-    if mean < min(narrowest, seal_width):  # walls nearer to each other than the samples do not see each other
-        narrowest, place = mean, panel.outer[0]
+    if 2.0 * mean < min(narrowest, 2.0 * seal_width):  # it is no strip
+        narrowest, place = 2.0 * mean, panel.outer[0]
     if narrowest < 2.0 * seal_width:
         edge = int(nearest_on_loops([panel.outer], place[None]).edge[0])
         raise AssemblyError(

@@ -24,12 +24,19 @@ def curved_film(positions: Floats, directors: Floats, surface: Surface) -> tuple
     normals = unit(directors[begin] + directors[end])
     middles = 0.5 * (positions[begin] + positions[end]) + lift[:, None] * normals
     glued = surface.first[triangles]
-    ends = np.sort(np.column_stack([surface.first[begin], surface.first[end]]), axis=1)
-    _, number = np.unique(ends, axis=0, return_inverse=True)
-    number = number.ravel()
+    _, number = sides(surface)
     counts = np.bincount(number)
     places = np.column_stack([np.bincount(number, middles[:, k]) / counts for k in range(3)])
     a, b, c = glued.T
     p, q, r = (len(positions) + number.reshape(-1, 3)).T  # of the sides ab, bc, ca
     parts = [np.column_stack(each) for each in ((a, p, r), (p, b, q), (r, q, c), (p, q, r))]
     return np.concatenate([positions, places]), np.concatenate(parts).astype(np.int32)
+
+
+def sides(surface: Surface) -> tuple[Ints, Ints]:
+    """Ends (s, 2) of the sides of its triangles, in the order of their middles in curved_film, and the number
+    (3 m,) of the side of each edge of a triangle."""
+    begin, end = surface.triangles.ravel(), np.roll(surface.triangles, -1, axis=1).ravel()
+    ends = np.sort(np.column_stack([surface.first[begin], surface.first[end]]), axis=1)
+    different, number = np.unique(ends, axis=0, return_inverse=True)
+    return different, number.ravel().astype(np.int32)

@@ -3,8 +3,9 @@
 
 Between its seams a flat panel cannot bend both ways: the film bulges there, whatever its edges are. What a
 pattern can change are the curves of its seams. Their corners and a few places of each side are found by least
-squares of the distances from the target, by area, with the derivatives that the solver has of its balloon
-(Gauss and Newton; damped after Levenberg and Marquardt); both sides of a seam stay equally long.
+squares of the distances, by area, of the film from the target and of the target from the film, which else
+could leave out a horn or a tail; with the derivatives that the solver has of its balloon (Gauss and Newton;
+damped after Levenberg and Marquardt). Both sides of a seam stay equally long.
 """
 
 from __future__ import annotations
@@ -210,7 +211,7 @@ class TargetCorrection:
 
     def run(self, best: TargetIterate, margin: float, most: int, side: float = 0.0) -> TargetIterate:
         """The best of the corrected patterns; margin: so far [m] outside of the target, side as in Aim."""
-        near = NEAR * float(best.weights**2 @ np.abs(best.off.distances - margin))
+        near = NEAR * float(best.weights**2 @ np.abs(best.distances - margin))
         aim = Aim(margin, near, side)
         damping, step = DAMPING, self._step(best)
         for _ in range(most):

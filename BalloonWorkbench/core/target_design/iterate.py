@@ -20,8 +20,9 @@ from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.target_design.aim import Aim
-from BalloonWorkbench.core.target_design.curved_film import curved_film
+from BalloonWorkbench.core.target_design.curved_film import curved_film, sides
 from BalloonWorkbench.core.target_design.off_target import (
+    FilmAway,
     OffTarget,
     TargetSurface,
     target_residual,
@@ -50,14 +51,33 @@ class TargetSimulation:
 class TargetIterate:
     """A pattern and its balloon, laid over the target.
 
-    weights  (n,) roots of the areas of the vertices, in parts of the whole
-    off      how far they are from the target
+    areas      (n,) of the vertices, in parts of the whole
+    off        how far they are from the target
+    film_away  how far the film is from some samples of the target
+    parts      (k,) of the target's whole area round these
     """
 
     meshed: MeshedBag
     inflation: Inflation
-    weights: Floats
+    areas: Floats
     off: OffTarget
+    film_away: FilmAway
+    parts: Floats
+
+    @property
+    def distances(self) -> Floats:
+        """Both ways (n + k,) m: of the film from the target, and of samples of the target from the film."""
+        return np.concatenate([self.off.distances, self.film_away.off.distances])
+
+    @property
+    def weights(self) -> Floats:
+        """Roots (n + k,) of the parts that the distances have in their mean; each way has one half."""
+        return np.sqrt(0.5 * np.concatenate([self.areas, self.parts]))
+
+    def follow(self, changes: Floats) -> Floats:
+        """How the distances (n + k, size) follow values, for changes (n, 3, size) of the positions."""
+        film = np.einsum("ni,nij->nj", self.off.directions, changes)
+        return np.concatenate([film, self.film_away.follow(changes)])
 
     @property
     def bag(self) -> Bag:
@@ -71,7 +91,7 @@ class TargetIterate:
 
     def error(self, aim: Aim) -> float:
         """Mean distance from the surface that is wanted [m], as the aim counts it."""
-        return aim.cost(self.weights, self.off.distances)
+        return aim.cost(self.weights, self.distances)
 
     def residual(self, surface: TargetSurface) -> Residual:
         """How far the film is from the target [m]."""
@@ -97,11 +117,15 @@ def make_target_iterate(
         model=simulation.model,
         progress=simulation.progress,
     )
-    areas = vertex_areas(inflation.positions, meshed.assembly.surface.triangles)
-    weights = np.sqrt(areas / areas.sum())
-    positions, turn, off = simulation.surface.laid_over(inflation.positions, weights)
+    film, surface = meshed.assembly.surface, simulation.surface
+    areas = vertex_areas(inflation.positions, film.triangles)
+    areas = areas / areas.sum()
+    positions, turn, off = surface.laid_over(inflation.positions, np.sqrt(areas))
     inflation = replace(inflation, positions=positions, directors=inflation.directors @ turn)
-    return TargetIterate(meshed, inflation, weights, off)
+    own = np.arange(len(positions), dtype=np.int32)
+    ends = np.concatenate([np.column_stack([own, own]), sides(film)[0]])
+    film_away = surface.film_away(*curved_film(positions, inflation.directors, film), ends)
+    return TargetIterate(meshed, inflation, areas, off, film_away, surface.few_samples[1])
 
 
 def next_iterate(simulation: TargetSimulation, last: TargetIterate, bag: Bag, edge: float) -> TargetIterate:

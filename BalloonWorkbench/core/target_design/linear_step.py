@@ -49,17 +49,16 @@ class LinearStep:
         """That of an iterate, whose seams the unknowns move."""
         moves = unknowns.rest_moves(current.meshed)
         changes = position_changes(current.inflation, film, moves, backend).changes
-        follows = np.einsum("ni,nik->nk", current.off.directions, changes)
         positions = current.positions - current.positions.mean(axis=0)
-        rigid = rigid_moves(positions / np.ptp(positions), current.off.directions)
-        return cls(unknowns, current, np.column_stack([follows, rigid]))
+        whole = np.concatenate([changes, rigid_moves(positions / np.ptp(positions))], axis=2)
+        return cls(unknowns, current, current.follow(whole))
 
     def followed(self, values: Floats, reached: TargetIterate) -> LinearStep:
         """That of the balloon on the same mesh which the values (size + 6,) led to.
 
         The matrix is changed as little as can be so that it gives what has come out (Broyden 1965).
         """
-        missed = reached.off.distances - self.current.off.distances - self.matrix @ values
+        missed = reached.distances - self.current.distances - self.matrix @ values
         learnt = self.matrix + np.outer(missed, values) / (values @ values)
         return replace(self, current=reached, matrix=learnt, fresh=False)
 
@@ -69,7 +68,7 @@ class LinearStep:
         damping  weights (k,) of the moves that the values consist of, in parts of what they do on average
         """
         size, weights = self.unknowns.size, self.current.weights
-        away = self.current.off.distances
+        away = self.current.distances
         basis, bends = self.unknowns.basis, BENDS * self.unknowns.bends
         values = np.zeros(size + 6)
         for _ in range(_PASSES):

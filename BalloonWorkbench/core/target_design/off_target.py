@@ -19,6 +19,9 @@ from BalloonWorkbench.core.types import Floats, Ints
 
 #: Edges of a target that is sampled, of the diagonal.
 _FINE = 0.02
+#: Cells of the grid in which one of the samples stands for all, of the diagonal; their shift from the planes
+#: of symmetry, on which many samples lie.
+_CELL, _ASIDE = 0.02, 0.37
 _HAIR = 1e-6  # of the diagonal: nearer points take the normal of the surface
 #: The balloon is turned and moved onto the target in so many steps, or until one is no longer than this part
 #: of the diagonal.
@@ -31,6 +34,27 @@ class OffTarget:
 
     distances: Floats
     directions: Floats
+
+
+@dataclass(frozen=True)
+class FilmAway:
+    """How far the film is from some samples (k,) of a target, and the places of the film nearest to them.
+
+    off       distances positive where the film is outside; directions in which its places move away
+    vertices  (k, 6) of the film that these places follow, shares (k, 6) of them
+    """
+
+    off: OffTarget
+    vertices: Ints
+    shares: Floats
+
+    def follow(self, changes: Floats) -> Floats:
+        """How the distances follow values (k, size), for those of the vertices (n, 3, size)."""
+        parts = (
+            share[:, None] * np.einsum("ki,kij->kj", self.off.directions, changes[vertex])
+            for vertex, share in zip(self.vertices.T, self.shares.T)
+        )
+        return np.asarray(sum(parts))
 
 
 class TargetSurface:
@@ -54,6 +78,25 @@ class TargetSurface:
         directions = np.where(near[:, None], self._normals[nearest.triangles], unit(outward))
         return OffTarget(nearest.distances, directions)
 
+    @cached_property
+    def few_samples(self) -> tuple[Floats, Floats]:
+        """Some of the samples (k, 3), one in each cell of a grid, and their parts (k,) of the whole area."""
+        points, triangles, _ = self.samples
+        cells = np.floor(points / (_CELL * self.target.diagonal) + _ASIDE).astype(np.int64)
+        _, first, number = np.unique(cells, axis=0, return_index=True, return_inverse=True)
+        areas = np.bincount(number.ravel(), vertex_areas(points, triangles))
+        return points[first], areas / areas.sum()
+
+    def film_away(self, points: Floats, triangles: Ints, ends: Ints) -> FilmAway:
+        """Of film as curved_film gives it; points move as the mean of their two ends (n, 2) does."""
+        nearest = NearestSurface(points, triangles).query(self.few_samples[0])
+        outward = (nearest.places - self.few_samples[0]) * -np.sign(nearest.distances)[:, None]
+        near = np.abs(nearest.distances) < _HAIR * self.target.diagonal
+        normals = unit(area_vectors(points, triangles[nearest.triangles]))
+        off = OffTarget(-nearest.distances, np.where(near[:, None], normals, unit(outward)))
+        vertices = ends[triangles[nearest.triangles]].reshape(-1, 6)
+        return FilmAway(off, vertices, 0.5 * np.repeat(nearest.shares, 2, axis=1))
+
     def laid_over(self, points: Floats, weights: Floats) -> tuple[Floats, Floats, OffTarget]:
         """Points (n, 3) turned and moved as a whole so that their weighted distances are least.
 
@@ -63,8 +106,8 @@ class TargetSurface:
         off = self.off(points)
         for _ in range(_STEPS):
             middle = points.mean(axis=0)
-            columns = rigid_moves((points - middle) / size, off.directions)
-            matrix = weights[:, None] * columns
+            moves = rigid_moves((points - middle) / size)
+            matrix = weights[:, None] * np.einsum("ni,nik->nk", off.directions, moves)
             step = np.linalg.lstsq(matrix, -weights * off.distances, rcond=1e-6)[0]
             turn = _turn(step[3:] / size).T
             points, whole = middle + (points - middle) @ turn + step[:3], whole @ turn
@@ -74,9 +117,11 @@ class TargetSurface:
         return points, whole, off
 
 
-def rigid_moves(points: Floats, directions: Floats) -> Floats:
-    """How distances follow three shifts and three turns about the origin: (n, 6)."""
-    return np.column_stack([directions, np.cross(points, directions)])
+def rigid_moves(points: Floats) -> Floats:
+    """How points (n, 3) follow three shifts and three turns about the origin: (n, 3, 6)."""
+    shifts = np.broadcast_to(np.eye(3), (len(points), 3, 3))
+    turns = np.cross(np.eye(3), points[:, None]).swapaxes(1, 2)
+    return np.concatenate([shifts, turns], axis=2)
 
 
 def _turn(angles: Floats) -> Floats:

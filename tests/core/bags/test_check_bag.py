@@ -14,6 +14,7 @@ from bag_volumes import box
 
 from BalloonWorkbench.core.bags.bag import Bag, BagPanel, BagSeam, Opening, Side
 from BalloonWorkbench.core.bags.check_bag import check_bag
+from BalloonWorkbench.core.bags.check_panel import check_thickness
 from BalloonWorkbench.core.bags.mesh_bag import default_size, mesh_bag
 from BalloonWorkbench.core.bags.read_bag import bag_json, read_bag
 from BalloonWorkbench.core.bodies.gores import gored_bag
@@ -259,6 +260,17 @@ def test_panels_thinner_than_their_welds(width: float, fits: bool) -> None:
         return
     with pytest.raises(AssemblyError, match=r"Panel '(front|left)' is only .* wide at edge \d of panel"):
         check_bag(bag, 0.01)
+
+
+@pytest.mark.parametrize(
+    ("size", "seal_width", "said"), [((0.5, 0.002), 0.01, "2 mm"), ((0.2, 0.2), 0.12, "200 mm")]
+)
+def test_the_width_that_is_told_is_that_of_strip_or_square(
+    size: tuple[float, float], seal_width: float, said: str
+) -> None:
+    corners = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]) * size
+    with pytest.raises(AssemblyError, match=f"is only {said} wide"):
+        check_thickness(BagPanel("top", corners), seal_width)
 
 
 def test_tips_are_not_too_thin_for_welds() -> None:
