@@ -4,61 +4,27 @@
 from __future__ import annotations
 
 import argparse
-import math
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from functools import partial
 from typing import Any, NoReturn, TypeVar
 
 from BalloonWorkbench import __version__
 from BalloonWorkbench.cli.console import UNSHOWN, complain, show
+from BalloonWorkbench.cli.studies.arguments import STUDY, add_study
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.language.speech import language_named, short_names, users_language
 from BalloonWorkbench.core.machines.machine import machines
 from BalloonWorkbench.core.options.option import Kind, Option, options_of
 from BalloonWorkbench.core.options.table import options
-from BalloonWorkbench.core.units import (
-    length_text,
-    number_text,
-    parse_length,
-    parse_mass,
-    parse_pressure,
-    parse_temperature,
-    parse_volume,
-    pressure_text,
-    temperature_text,
-)
+from BalloonWorkbench.core.options.typed import KINDS, NONE
 
 #: The command that designs nothing.
 FETCH = "fetch-solver"
 #: Of these kinds 0 lets the engine find the value, as in documents.
 _MAY_BE_0 = (Kind.LENGTH, Kind.PRESSURE)
-#: What stands for "no" of an option that stands for a yes or no too.
-NONE = "none"
 
 _Declared = TypeVar("_Declared")
-
-
-def degrees(text: str) -> float:
-    """The angle [rad]; ValueError for what is no number."""
-    return math.radians(float(text))
-
-
-#: How a value is called in the help, how it is read, and how a default is written, of each kind.
-_KINDS: dict[Kind, tuple[str, Callable[..., Any], Callable[[Any], str]]] = {
-    Kind.LENGTH: ("LENGTH", parse_length, length_text),
-    Kind.HEIGHT: ("LENGTH", parse_length, length_text),
-    Kind.ANGLE: ("DEGREES", degrees, number_text),
-    Kind.PRESSURE: ("PRESSURE", parse_pressure, pressure_text),
-    Kind.VOLUME: ("VOLUME", parse_volume, str),
-    Kind.MASS: ("MASS", parse_mass, str),
-    Kind.TEMPERATURE: ("T", parse_temperature, temperature_text),
-    Kind.NUMBER: ("N", float, number_text),
-    Kind.COUNT: ("N", int, str),
-    Kind.CHOICE: ("NAME", str, str),
-    Kind.TEXT: ("TEXT", str, str),
-    Kind.FILE: ("PICTURE", str, str),
-}
 
 
 class _Parser(argparse.ArgumentParser):
@@ -112,6 +78,7 @@ def parser() -> argparse.ArgumentParser:
         command.add_argument("--out", metavar="DIR", required=True, help="folder for the files")
         _add_language(command)
         _add_options(command)
+    add_study(_add_parser(commands, STUDY, "make many balloons, from a table of options or a grid"))
     commands.add_parser(
         FETCH,
         help="fetch the native solver from the network, where the workbench came without it",
@@ -150,7 +117,7 @@ def _argument(option: Option) -> dict[str, Any]:
     arguments: dict[str, Any] = {"help": help_text(option).replace("%", "%%"), "default": option.default}
     if isinstance(option.default, bool):
         return arguments | {"action": "store_false" if option.default else "store_true"}
-    name, read, _ = _KINDS[option.kind]
+    name, read, _ = KINDS[option.kind]
     arguments["type"] = partial(read, plain=option.plain) if option.plain else read
     if isinstance(option.default, tuple):
         arguments |= {"action": "append", "default": []}
@@ -179,7 +146,7 @@ def help_text(option: Option) -> str:
         text += f": {', '.join(known)}"
     if isinstance(option.default, (bool, tuple)) or option.default in (None, ""):
         return text
-    return f"{text} (default {_KINDS[option.kind][2](option.default).replace(' ', '')})"
+    return f"{text} (default {KINDS[option.kind][2](option.default).replace(' ', '')})"
 
 
 def typed(arguments: argparse.Namespace, declaring: type[_Declared]) -> _Declared:

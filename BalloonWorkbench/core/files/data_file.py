@@ -27,10 +27,13 @@ def read_data(path: Path) -> Any:
         raise ValueError("it is no file")
     if status.st_size > _LARGEST:
         raise ValueError("it is too large")
+    return parse_data(path.read_text(encoding="utf-8"))
+
+
+def parse_data(text: str) -> Any:
+    """What JSON says, with numbers that can be computed with. Raises ValueError."""
     try:
-        return json.loads(
-            path.read_text(encoding="utf-8"), parse_constant=_refuse, parse_float=_real, parse_int=_integer
-        )
+        return json.loads(text, parse_constant=_refuse, parse_float=_real, parse_int=_integer)
     except RecursionError:
         raise ValueError("it is nested too deeply") from None
 

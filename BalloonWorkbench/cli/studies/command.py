@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The command study: many balloons from a table or a grid."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from dataclasses import replace
+
+from BalloonWorkbench.cli import console
+from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.studies.folder import StudyFolder
+from BalloonWorkbench.core.studies.job import WHOLE, Finished, Runner
+from BalloonWorkbench.core.studies.read_study import read_study
+from BalloonWorkbench.core.studies.run import plan_study, run_study
+from BalloonWorkbench.core.studies.runners.subprocesses import Subprocesses
+from BalloonWorkbench.core.studies.study import Study
+from BalloonWorkbench.core.studies.table import write_table
+from BalloonWorkbench.core.types import Say
+
+_SHOWN = 5  # failures that are told by the command itself; the table has all
+
+
+def run(options: argparse.Namespace, say: Say) -> int:
+    """Do what the options say; the exit code. Raises BalloonError."""
+    study = read_study(options.study, options.most)
+    if options.keep is not None:
+        study = replace(study, keep=options.keep)
+    if options.jobs < 0 or not options.timeout > 0.0:
+        raise InputError("--jobs and --timeout are numbers above 0.")
+    if options.dry_run:
+        return _show(_planned(study, options.out, say))
+    if options.collect:
+        folder = StudyFolder(options.out)
+        with folder.in_use():
+            return _show([say(f"Wrote {path}") for path in write_table(study, folder)])
+    line = console.StatusLine(sys.stderr)
+
+    def tell(done: int, of: int, _last: Finished | None) -> None:
+        line.show(done / max(of, 1), say(f"balloon {done} of {of}"))
+
+    try:
+        outcome = run_study(study, options.out, _runner(options), options.shard, tell)
+    finally:
+        line.clear()
+    made, failed = outcome.made, len(outcome.failures)
+    lines = [say(f"Balloons: {outcome.balloons}, worked out now: {made}, of these failed: {failed}")]
+    lines += [f"- {say(sentence)}" for sentence in [*dict.fromkeys(outcome.failures.values())][:_SHOWN]]
+    if options.shard != WHOLE:
+        lines.append(say("When all shards are done, --collect writes the table."))
+    return _show([*lines, *(say(f"Wrote {path}") for path in outcome.tables)])
+
+
+def _runner(options: argparse.Namespace) -> Runner:
+    return Subprocesses(options.jobs, options.timeout)
+
+
+def _planned(study: Study, out: str, say: Say) -> list[str]:
+    plan = plan_study(study, out)
+    lines = [say(f"Rows: {plan.rows}, of these make no sense: {len(plan.senseless)}")]
+    lines += [say(f"Row {number}: {text}") for number, text in list(plan.senseless.items())[:_SHOWN]]
+    return [*lines, say(f"Balloons: {plan.balloons}, of these are there: {plan.there}")]
+
+
+def _show(lines: list[str]) -> int:
+    return 0 if console.show("\n".join(lines) + "\n") is None else console.UNSHOWN

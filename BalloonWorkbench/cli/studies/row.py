@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A balloon of a study: what `design` or `inflate` makes with the same options."""
+
+from __future__ import annotations
+
+import argparse
+import tempfile
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from BalloonWorkbench.cli import command_line, many_panels
+from BalloonWorkbench.cli.options import parser
+from BalloonWorkbench.cli.settings import balloon_of, settings_of
+from BalloonWorkbench.core.bag_job import has_many_panels
+from BalloonWorkbench.core.job import report_bytes
+from BalloonWorkbench.core.studies.job import FILES
+
+
+def make(request: Mapping[str, Any]) -> dict[str, bytes]:
+    """The files of a balloon by name. Raises BalloonError.
+
+    request  arguments: of the command line, but for --out; keep: REPORT or FILES
+    """
+    with tempfile.TemporaryDirectory() as folder:
+        options = parser().parse_args([*request["arguments"], f"--out={folder}"])
+        if request["keep"] == FILES:
+            command_line.run_quietly(options)
+            return {path.name: path.read_bytes() for path in sorted(Path(folder).iterdir())}
+    return {"report.json": _report(options)}
+
+
+def _report(options: argparse.Namespace) -> bytes:
+    settings = settings_of(options)
+    if has_many_panels(settings, options.input):
+        many_panels.check(options)
+    return report_bytes(balloon_of(options, settings, (options.width, options.height)).report)
