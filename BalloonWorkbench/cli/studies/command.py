@@ -6,11 +6,13 @@ from __future__ import annotations
 import argparse
 import sys
 from dataclasses import replace
+from pathlib import Path
 
 from BalloonWorkbench.cli import console
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.studies.folder import StudyFolder
-from BalloonWorkbench.core.studies.job import WHOLE, Finished, Runner
+from BalloonWorkbench.core.studies.job import SAMPLE_OF_TOLERANCES, WHOLE, Finished, Runner
+from BalloonWorkbench.core.studies.kinds.tolerance_study import write_summary
 from BalloonWorkbench.core.studies.read_study import read_study
 from BalloonWorkbench.core.studies.run import plan_study, run_study
 from BalloonWorkbench.core.studies.runners.subprocesses import Subprocesses
@@ -33,7 +35,8 @@ def run(options: argparse.Namespace, say: Say) -> int:
     if options.collect:
         folder = StudyFolder(options.out)
         with folder.in_use():
-            return _show([say(f"Wrote {path}") for path in write_table(study, folder)])
+            tables = tuple(write_table(study, folder))
+        return _show(_ends(study, folder, tables, say))
     line = console.StatusLine(sys.stderr)
 
     def tell(done: int, of: int, _last: Finished | None) -> None:
@@ -48,7 +51,16 @@ def run(options: argparse.Namespace, say: Say) -> int:
     lines += [f"- {say(sentence)}" for sentence in [*dict.fromkeys(outcome.failures.values())][:_SHOWN]]
     if options.shard != WHOLE:
         lines.append(say("When all shards are done, --collect writes the table."))
-    return _show([*lines, *(say(f"Wrote {path}") for path in outcome.tables)])
+    return _show([*lines, *_ends(study, StudyFolder(options.out), outcome.tables, say)])
+
+
+def _ends(study: Study, folder: StudyFolder, tables: tuple[Path, ...], say: Say) -> list[str]:
+    """Lines about the whole of a study, whose tables are written."""
+    lines: list[str] = []
+    if tables and study.task == SAMPLE_OF_TOLERANCES:
+        path, lines = write_summary(study, folder)
+        tables = (*tables, path)
+    return [*map(say, lines), *(say(f"Wrote {path}") for path in tables)]
 
 
 def _runner(options: argparse.Namespace) -> Runner:

@@ -10,6 +10,8 @@ from typing import Any, Protocol
 
 #: What works out a balloon of the command line's options.
 BALLOON = "BalloonWorkbench.cli.studies.row"
+#: What works out a balloon with a maker's errors.
+SAMPLE_OF_TOLERANCES = "BalloonWorkbench.cli.studies.sample"
 #: What is kept of a balloon: its report, or all files that the command line writes.
 REPORT, FILES = "report", "files"
 #: More rows than this are an accident, unless it is said that they are not.

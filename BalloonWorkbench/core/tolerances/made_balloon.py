@@ -152,7 +152,7 @@ def _as_seen(drawing: Outline, inflation: Inflation) -> tuple[Outline, Residual]
 
 
 def _film_of(film: Film, sample: Sample, tolerances: Tolerances) -> Film:
-    """The film of a sample: a thicker one is heavier and stronger, too; stiffer means across the grain, too."""
+    """The film of a sample: a thicker one is heavier and stronger, too; a stiffer one is so both ways."""
     thickness = _strayed(film.thickness, sample, tolerances, ErrorSource.THICKNESS)
     modulus = _strayed(film.young_modulus, sample, tolerances, ErrorSource.MODULUS)
     stiffer, strength = modulus / film.young_modulus, 1.0 + sample.deviations.get(ErrorSource.STRENGTH, 0.0)

@@ -9,6 +9,7 @@ the error of a single cut is the worst that can be made of them.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -48,26 +49,22 @@ def made_seam(nominal: Panel, spots: int, sample: Sample, tolerances: Tolerances
     MeshError where they leave no panel.
     """
     loops = [nominal.rest_positions[loop] for loop in nominal.loops]
+    strays = [source for source in ErrorSource if source in sample.deviations or source in sample.fields]
+    errors = {source: _errors(loops, sample, tolerances, source) for source in strays if source.of_seam}
+    if not errors:
+        return MadeSeam(nominal, True, 0.0, {})
     weights = [point_weights(loop) for loop in loops]
-    errors = {
-        source: _errors(loops, sample, tolerances, source)
-        for source in ErrorSource
-        if source.of_seam and (source in sample.deviations or source in sample.fields)
-    }
-    moved = (
-        [offset(loop, sum(each[k] for each in errors.values())) for k, loop in enumerate(loops)]
-        if errors
-        else loops
-    )
-    welds = [nominal.rest_positions[weld] for weld in nominal.welds]
-    cut = errors.get(ErrorSource.CUT, [])[: len(loops) - spots]
+
+    def sum_along(each: Sequence[Floats]) -> float:
+        return sum(float(weight @ error) for weight, error in zip(weights, each))
+
     around = sum(float(weight.sum()) for weight in weights)
-    means = {
-        source: sum(float(weight @ error) for weight, error in zip(weights, each, strict=True)) / around
-        for source, each in errors.items()
-    }
-    grown = sum(float(weight @ error) for weight, error in zip(weights, cut))
-    panel = move_rim(nominal, moved, welds) if errors else nominal
+    means = {source: sum_along(each) / around for source, each in errors.items()}
+    cut = errors.get(ErrorSource.CUT, [])
+    grown = sum_along(cut[: len(loops) - spots])
+    moved = [offset(loop, np.sum(together, axis=0)) for loop, *together in zip(loops, *errors.values())]
+    welds = [nominal.rest_positions[weld] for weld in nominal.welds]
+    panel = move_rim(nominal, moved, welds)
     if panel is not None:
         return MadeSeam(panel, True, grown, means)
     return MadeSeam(_meshed(nominal, moved, welds, spots), False, grown, means)

@@ -140,7 +140,11 @@ def _size(source: ErrorSource, text: Any) -> tuple[float, bool]:
     value, relative = math.nan, False
     if isinstance(text, str):
         percent = re.fullmatch(r"\s*(\S+?)\s*%\s*", text)
-        relative = percent is not None and source not in (ErrorSource.CUT, ErrorSource.WELD, ErrorSource.TEMPERATURE)
+        relative = percent is not None and source not in (
+            ErrorSource.CUT,
+            ErrorSource.WELD,
+            ErrorSource.TEMPERATURE,
+        )
         try:
             if percent and relative:
                 value = 0.01 * float(percent[1])
