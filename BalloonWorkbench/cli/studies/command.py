@@ -12,8 +12,9 @@ from BalloonWorkbench.cli import console
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.studies.folder import StudyFolder
 from BalloonWorkbench.core.studies.job import SAMPLE_OF_TOLERANCES, WHOLE, Finished, Runner
+from BalloonWorkbench.core.studies.kinds.goal_study import GoalStudy, goal_lines, needs_rows, run_goal
 from BalloonWorkbench.core.studies.kinds.tolerance_study import write_summary
-from BalloonWorkbench.core.studies.read_study import read_study
+from BalloonWorkbench.core.studies.read_study import read_goal_study, read_study
 from BalloonWorkbench.core.studies.run import plan_study, run_study
 from BalloonWorkbench.core.studies.runners.subprocesses import Subprocesses
 from BalloonWorkbench.core.studies.study import Study
@@ -25,6 +26,9 @@ _SHOWN = 5  # failures that are told by the command itself; the table has all
 
 def run(options: argparse.Namespace, say: Say) -> int:
     """Do what the options say; the exit code. Raises BalloonError."""
+    goal = read_goal_study(options.study)
+    if goal is not None:
+        return _seek(goal, options, say)
     study = read_study(options.study, options.most)
     if options.keep is not None:
         study = replace(study, keep=options.keep)
@@ -39,11 +43,11 @@ def run(options: argparse.Namespace, say: Say) -> int:
         return _show(_ends(study, folder, tables, say))
     line = console.StatusLine(sys.stderr)
 
-    def tell(done: int, of: int, _last: Finished | None) -> None:
+    def observe(done: int, of: int, _last: Finished | None) -> None:
         line.show(done / max(of, 1), say(f"balloon {done} of {of}"))
 
     try:
-        outcome = run_study(study, options.out, _runner(options), options.shard, tell)
+        outcome = run_study(study, options.out, _runner(options), options.shard, observe)
     finally:
         line.clear()
     made, failed = outcome.made, len(outcome.failures)
@@ -61,6 +65,25 @@ def _ends(study: Study, folder: StudyFolder, tables: tuple[Path, ...], say: Say)
         path, lines = write_summary(study, folder)
         tables = (*tables, path)
     return [*map(say, lines), *(say(f"Wrote {path}") for path in tables)]
+
+
+def _seek(goal: GoalStudy, options: argparse.Namespace, say: Say) -> int:
+    """Search for a goal, and tell what was found; the exit code."""
+    if options.shard != WHOLE or options.dry_run or options.collect:
+        raise needs_rows()
+    line = console.StatusLine(sys.stderr)
+
+    def tell(done: int, of: int, _last: Finished | None) -> None:
+        line.show(done / of, say(f"balloon {done} of {of} at most"))
+
+    try:
+        sought = run_goal(goal, options.out, _runner(options), tell)
+    finally:
+        line.clear()
+    lines = [f"- {sentence}" for sentence in [*dict.fromkeys(sought.failures.values())][:_SHOWN]]
+    return _show(
+        [*map(say, [*goal_lines(goal, sought), *lines]), *(say(f"Wrote {path}") for path in sought.files)]
+    )
 
 
 def _runner(options: argparse.Namespace) -> Runner:

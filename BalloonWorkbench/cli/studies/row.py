@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import argparse
+import json
 import tempfile
 from collections.abc import Mapping
 from pathlib import Path
@@ -14,6 +15,7 @@ from BalloonWorkbench.cli.options import parser
 from BalloonWorkbench.cli.settings import balloon_of, settings_of
 from BalloonWorkbench.core.bag_job import has_many_panels
 from BalloonWorkbench.core.job import report_bytes
+from BalloonWorkbench.core.studies.folder import REPORT as NAME
 from BalloonWorkbench.core.studies.job import FILES
 
 
@@ -26,8 +28,19 @@ def make(request: Mapping[str, Any]) -> dict[str, bytes]:
         options = parser().parse_args([*request["arguments"], f"--out={folder}"])
         if request["keep"] == FILES:
             command_line.run_quietly(options)
-            return {path.name: path.read_bytes() for path in sorted(Path(folder).iterdir())}
-    return {"report.json": _report(options)}
+            contents = {path.name: path.read_bytes() for path in sorted(Path(folder).iterdir())}
+        else:
+            contents = {NAME: _report(options)}
+    if NAME in contents:
+        contents[NAME] = report_bytes(_without_times(json.loads(contents[NAME])))
+    return contents
+
+
+def _without_times(data: Any) -> Any:
+    """A report without how long it took: the same balloon has the same bytes."""
+    if isinstance(data, dict):
+        return {name: _without_times(value) for name, value in data.items() if name != "seconds"}
+    return [_without_times(each) for each in data] if isinstance(data, list) else data
 
 
 def _report(options: argparse.Namespace) -> bytes:

@@ -35,16 +35,16 @@ def main(place: str) -> int:
     answers = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(2, 1)  # what packages print is no answer
     folder = StudyFolder(place)
-    _tell(answers, {"program": program()})
+    _answer(answers, {"program": program()})
     with home():
         for line in sys.stdin:
             job = json.loads(line)
-            _tell(answers, _worked(job["key"], job["task"], job["request"], folder))
+            _answer(answers, _worked(job["key"], job["task"], job["request"], folder))
     return 0
 
 
-def _tell(answers: TextIO, told: dict[str, Any]) -> None:
-    answers.write(json.dumps(told) + "\n")
+def _answer(answers: TextIO, answer: dict[str, Any]) -> None:
+    answers.write(json.dumps(answer) + "\n")
     answers.flush()
 
 

@@ -52,10 +52,10 @@ def axis_of(column: Column, data: Any, folder: Path) -> Axis:
         return tuple(data)
     if not isinstance(data, dict):
         return (data,)
-    form, given = next(iter(data.items())) if len(data) == 1 else ("", None)
-    if form == GLOB and isinstance(given, str):
-        return _files(given, folder)
-    ends = given if isinstance(given, list) else []
+    form, terms = next(iter(data.items())) if len(data) == 1 else ("", None)
+    if form == GLOB and isinstance(terms, str):
+        return _files(terms, folder)
+    ends = terms if isinstance(terms, list) else []
     read = _READERS.get((form, len(ends)))
     if read is None:
         raise InputError(f"{column.name} cannot be read ({str(data)[:80]}): write {_FORMS}.")
@@ -66,37 +66,37 @@ def axis_of(column: Column, data: Any, folder: Path) -> Axis:
 
 def _files(pattern: str, folder: Path) -> Axis:
     """The files of a pattern in the order of their names, as seen from the folder."""
-    found = sorted(Path(name).as_posix() for name in glob(pattern, root_dir=folder, recursive=True))
-    found = [name for name in found if (folder / name).is_file()]
-    if not found:
+    names = sorted(Path(name).as_posix() for name in glob(pattern, root_dir=folder, recursive=True))
+    names = [name for name in names if (folder / name).is_file()]
+    if not names:
         raise InputError(f"No file is like '{pattern}' in '{folder}'. Check the pattern and the folder.")
-    return found
+    return names
 
 
-def _equal_parts(column: Column, given: list[Any]) -> Axis:
-    count = given[2]
+def _equal_parts(column: Column, terms: list[Any]) -> Axis:
+    count = terms[2]
     if not isinstance(count, int) or isinstance(count, bool) or not 1 <= count <= MOST:
         raise InputError(f"{column.name} takes from 1 to {MOST} equal parts, not '{count}'.")
-    start, end, unit = _ends(column, given[:2])
+    start, end, unit = _ends(column, terms[:2])
     part = (end - start) / (count - 1) if count > 1 else 0.0
     values = [start + number * part for number in range(count - 1)] + [end if count > 1 else start]
     return [_written(round(value) if column.is_whole else value, unit) for value in values]
 
 
-def _equal_steps(column: Column, given: list[Any]) -> Axis:
+def _equal_steps(column: Column, terms: list[Any]) -> Axis:
     """From the first to the last, this one with them where a step meets it."""
-    start, end, unit = _ends(column, given[:2])
-    step = _quantity(column, given[2])
+    start, end, unit = _ends(column, terms[:2])
+    step = _quantity(column, terms[2])
     if step[1] not in ("", unit):
         raise InputError(f"The step of {column.name} has another unit than its ends: write the same one.")
     steps = (end - start) / step[0] if step[0] else math.inf
     if not 0.0 <= steps < MOST:
-        raise InputError(f"{column.name} never gets from '{given[0]}' to '{given[1]}' by '{given[2]}'.")
+        raise InputError(f"{column.name} never gets from '{terms[0]}' to '{terms[1]}' by '{terms[2]}'.")
     return [_written(start + number * step[0], unit) for number in range(math.floor(steps + 1e-9) + 1)]
 
 
-def _between(column: Column, given: list[Any]) -> Axis:
-    return Between(*_ends(column, given), column.is_whole)
+def _between(column: Column, terms: list[Any]) -> Axis:
+    return Between(*_ends(column, terms), column.is_whole)
 
 
 #: By the form and the length of its list.
@@ -107,8 +107,8 @@ _READERS: dict[tuple[str, int], Callable[[Column, list[Any]], Axis]] = {
 }
 
 
-def _ends(column: Column, given: list[Any]) -> tuple[float, float, str]:
-    (start, first), (end, last) = (_quantity(column, each) for each in given)
+def _ends(column: Column, terms: list[Any]) -> tuple[float, float, str]:
+    (start, first), (end, last) = (_quantity(column, each) for each in terms)
     if first != last and "" not in (first, last):
         raise InputError(f"{column.name} begins in {first} and ends in {last}: write both in one unit.")
     unit = first or last

@@ -84,8 +84,8 @@ class Column:
             return self._flag(self.option, written)
         flag, texts = self.option.flag_name, [text_of(written)]
         if self._is_many:
-            given = written if isinstance(written, (list, tuple)) else str(written).split(SEPARATOR)
-            texts = [text_of(each).strip() for each in given]
+            several = written if isinstance(written, (list, tuple)) else str(written).split(SEPARATOR)
+            texts = [text_of(each).strip() for each in several]
         elif self.option.switch and texts[0].lower() in _YES:
             return Value((flag,), True)
         paths = [_file(self.option, text, folder) for text in texts]

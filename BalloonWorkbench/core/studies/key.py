@@ -29,8 +29,8 @@ def key_of(meaning: Mapping[str, Any]) -> str:
 
     meaning  of what JSON can hold; names with None count as not given
     """
-    given = {name: value for name, value in meaning.items() if value is not None}
-    text = json.dumps([program(), given], sort_keys=True, separators=(",", ":"), ensure_ascii=True)
+    decisive = {name: value for name, value in meaning.items() if value is not None}
+    text = json.dumps([program(), decisive], sort_keys=True, separators=(",", ":"), ensure_ascii=True)
     return hashlib.sha256(text.encode()).hexdigest()
 
 

@@ -85,13 +85,13 @@ class _Reader:
             request["task"] = own["task"] = {**study.shared, **of_task}
         return Job(key_of(meaning | own), request, study.task)
 
-    def _value(self, name: str, given: Any) -> Value:
-        if given is None or given == "":
+    def _value(self, name: str, cell: Any) -> Value:
+        if cell is None or cell == "":
             return Value()
-        asked = name, written(given)
+        asked = name, written(cell)
         if asked not in self._known:
             try:
-                self._known[asked] = column_named(name).read(given, self._study.folder)
+                self._known[asked] = column_named(name).read(cell, self._study.folder)
             except InputError as error:
                 self._known[asked] = error
         known = self._known[asked]

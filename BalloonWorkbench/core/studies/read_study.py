@@ -16,8 +16,9 @@ from BalloonWorkbench.core.files.user_file import read_whole
 from BalloonWorkbench.core.studies.axes import Axis, Between, axis_of
 from BalloonWorkbench.core.studies.columns import column_named
 from BalloonWorkbench.core.studies.job import MOST_ROWS, REPORT
+from BalloonWorkbench.core.studies.kinds.goal_study import GOAL, GoalStudy, goal_study
 from BalloonWorkbench.core.studies.kinds.tolerance_study import COUNT, SEEDED, TOLERANCES, tolerance_study
-from BalloonWorkbench.core.studies.study import Grid, Row, Samples, Study, check_count, points_of
+from BalloonWorkbench.core.studies.study import Grid, Row, SampledRows, Study, check_count, points_of
 
 _LARGEST = 1 << 30  # bytes
 FIXED, VARY, SAMPLE, ROWS, KEEP = "fixed", "vary", "sample", "rows", "keep"
@@ -35,6 +36,16 @@ def read_study(path: str | Path, most: int = MOST_ROWS) -> Study:
     if path.suffix.lower() == ".csv":
         return _table(path.name, content, folder, most)
     return study_of(_data(path.name, content), folder, most)
+
+
+def read_goal_study(path: str | Path) -> GoalStudy | None:
+    """The study of a file that declares a goal, see `goal_study`; None for any other. Raises InputError."""
+    path = Path(path)
+    data = None if path.suffix.lower() == ".csv" else _data(path.name, read_whole(path, _LARGEST))
+    if not isinstance(data, Mapping) or GOAL not in data:
+        return None
+    _check_names(data, (FIXED, GOAL))
+    return goal_study(data, _named(data.get(FIXED, {}), FIXED), path.resolve().parent)
 
 
 def study_of(data: Mapping[str, Any], folder: Path, most: int = MOST_ROWS) -> Study:
@@ -63,7 +74,7 @@ def study_of(data: Mapping[str, Any], folder: Path, most: int = MOST_ROWS) -> St
     }
     fixed = {name: value for name, value in fixed.items() if name not in axes}
     if SAMPLE in data:
-        rows: Grid | Samples = _samples(data[SAMPLE], fixed, axes, most)
+        rows: Grid | SampledRows = _samples(data[SAMPLE], fixed, axes, most)
     else:
         rows = _grid(fixed, axes, most)
     return Study((*fixed, *axes), rows, keep, folder)
@@ -110,7 +121,7 @@ def _grid(fixed: Row, axes: Mapping[str, Axis], most: int) -> Grid:
     return grid
 
 
-def _samples(data: Any, fixed: Row, axes: Mapping[str, Axis], most: int) -> Samples:
+def _samples(data: Any, fixed: Row, axes: Mapping[str, Axis], most: int) -> SampledRows:
     if not isinstance(data, Mapping) or set(data) - {"kind", "rows", "seed"}:
         raise InputError(
             f'"{SAMPLE}" cannot be read: write {{"kind": "latin-hypercube", "rows": 100, "seed": 1}}.'
@@ -123,7 +134,7 @@ def _samples(data: Any, fixed: Row, axes: Mapping[str, Axis], most: int) -> Samp
     check_count(rows, most)
     if not axes:
         raise InputError(f'Nothing varies: give "{VARY}" a column.')
-    return Samples(fixed, axes, points_of(str(data.get("kind", "")), rows, len(axes), seed))
+    return SampledRows(fixed, axes, points_of(str(data.get("kind", "")), rows, len(axes), seed))
 
 
 def _listed(data: Any, fixed: Row, keep: str, folder: Path, most: int) -> Study:

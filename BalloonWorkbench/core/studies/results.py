@@ -31,7 +31,7 @@ class Result:
         """The value in a report; None where it has none."""
         parts = report.get("parts") or [report]
         values = [
-            next((found for path in self.paths if (found := _at(part, path)) is not None), None)
+            next((value for path in self.paths if (value := _at(part, path)) is not None), None)
             for part in parts
         ]
         return None if not values or None in values else self.together(values)
@@ -73,5 +73,5 @@ WARNINGS = "warnings"
 
 def results_of(report: Mapping[str, Any]) -> dict[str, Any]:
     """The results of a report by name, None for what it does not tell; its warnings as one text."""
-    told = {result.name: result.of(report) for result in RESULTS}
-    return told | {WARNINGS: " ".join(map(str, report.get("warnings", ())))}
+    numbers = {result.name: result.of(report) for result in RESULTS}
+    return numbers | {WARNINGS: " ".join(map(str, report.get("warnings", ())))}

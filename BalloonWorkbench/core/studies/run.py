@@ -49,7 +49,7 @@ class Outcome:
 
 
 #: Told after each balloon: how many are done, of how many, and the last one, None at the beginning.
-Tell = Callable[[int, int, Finished | None], None]
+Observe = Callable[[int, int, Finished | None], None]
 
 
 def plan_study(study: Study, out: str | Path) -> Planning:
@@ -70,7 +70,7 @@ def run_study(
     out: str | Path,
     runner: Runner,
     share: tuple[int, int] = WHOLE,
-    tell: Tell = lambda _done, _of, _last: None,
+    observe: Observe = lambda _done, _of, _last: None,
 ) -> Outcome:
     """Work out what a study's folder lacks, and write its table; a share (i, n) of it writes none.
 
@@ -94,14 +94,14 @@ def run_study(
                     yield job
 
         made, failures = 0, {}
-        tell(0, balloons, None)
+        observe(0, balloons, None)
         with contextlib.closing(runner.run(missing(), folder.place)) as finished:
             for last in finished:
                 made += 1
                 _check(last, folder)
                 if last.sentence:
                     failures[last.key] = last.sentence
-                tell(there + made, balloons, last)
+                observe(there + made, balloons, last)
         tables = tuple(write_table(study, folder, failures)) if share == WHOLE else ()
     return Outcome(balloons, made, failures, tables)
 

@@ -83,7 +83,7 @@ class Grid(Sequence[Row]):
 
 
 @dataclass(frozen=True)
-class Samples(Sequence[Row]):
+class SampledRows(Sequence[Row]):
     """A row for each point of the unit cube: points (n, d), one dimension a column."""
 
     fixed: Row

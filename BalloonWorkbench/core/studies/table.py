@@ -35,15 +35,17 @@ def table_rows(
     """
     for row in planned(study):
         values = {name: written(row.values.get(name)) for name in study.columns}
-        told, failure = None, row.sentence
+        report, failure = None, row.sentence
         if row.job is not None:
-            told = folder.report(row.key)
-            failure = "" if told else folder.failure(row.key) or (failures or {}).get(row.key, UNTRIED)
+            report = folder.report(row.key)
+            failure = "" if report else folder.failure(row.key) or (failures or {}).get(row.key, UNTRIED)
+            if failure == UNTRIED and folder.has(row.key):
+                failure = f"{folder.of(row.key)} is damaged: remove it and start the study again."
         yield {
             ROW: row.number,
             KEY: row.key,
             **values,
-            **results_of(told or {}),
+            **results_of(report or {}),
             FAILURE: failure,
         }
 

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from BalloonWorkbench.core.errors import BalloonError, ProgramFault
 from BalloonWorkbench.core.studies.job import TIMEOUT, Finished, Job
-from BalloonWorkbench.core.studies.runners.worker import Worker
+from BalloonWorkbench.core.studies.runners.worker import WorkerProcess
 
 
 def processors() -> int:
@@ -34,7 +34,7 @@ class Subprocesses:
         """See `Runner`."""
         source = _Source(jobs)
         finished: queue.SimpleQueue[Finished | BalloonError | None] = queue.SimpleQueue()
-        workers = [Worker(place, self.timeout) for _ in range(self.processes or processors())]
+        workers = [WorkerProcess(place, self.timeout) for _ in range(self.processes or processors())]
         threads = [
             threading.Thread(target=_drain, args=(source, worker, finished), daemon=True)
             for worker in workers
@@ -44,13 +44,13 @@ class Subprocesses:
         try:
             left = len(threads)
             while left:
-                told = finished.get()
-                if isinstance(told, BalloonError):
-                    raise told
-                if told is None:
+                answer = finished.get()
+                if isinstance(answer, BalloonError):
+                    raise answer
+                if answer is None:
                     left -= 1
                 else:
-                    yield told
+                    yield answer
         finally:
             source.close()
             for worker in workers:
@@ -78,9 +78,9 @@ class _Source:
 
 
 def _drain(
-    source: _Source, worker: Worker, finished: queue.SimpleQueue[Finished | BalloonError | None]
+    source: _Source, worker: WorkerProcess, finished: queue.SimpleQueue[Finished | BalloonError | None]
 ) -> None:
-    """Have a worker do all that it gets; the last that is told is None, or an error."""
+    """Have a worker do all that it gets; the last that is put is None."""
     try:
         while (job := source.next()) is not None:
             finished.put(worker.work(job))
@@ -88,5 +88,5 @@ def _drain(
         finished.put(error)
     except (OSError, ValueError, RuntimeError) as error:
         finished.put(ProgramFault(f"The study cannot go on ({error})."))
-    else:
+    finally:
         finished.put(None)

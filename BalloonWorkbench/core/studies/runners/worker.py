@@ -20,7 +20,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import IO, Any
 
-from BalloonWorkbench.core.errors import ProgramFault
+from BalloonWorkbench.core.errors import Cancelled, ProgramFault
 from BalloonWorkbench.core.studies.job import TIMEOUT, Finished, Job
 from BalloonWorkbench.core.studies.key import program
 
@@ -42,26 +42,32 @@ def python() -> str:
     return shutil.which("python3") or "python3"
 
 
-class Worker:
+class WorkerProcess:
     """One such process; started when it gets its first job, and again after it died."""
 
     def __init__(self, place: Path, timeout: float = TIMEOUT) -> None:
         self._place, self._timeout = place, timeout
         self._process: subprocess.Popen[bytes] | None = None
         self._errors: IO[bytes] | None = None
-        self._late = False
+        self._late = self._stopped = False
+        self._starting = threading.Lock()
 
     def work(self, job: Job) -> Finished:
         """Work out a job; what ends its process ends the job alone. Raises ProgramFault where none starts."""
         process = self._started()
         line = json.dumps({"key": job.key, "task": job.task, "request": dict(job.request)})
-        told = self._answer(process, line, self._timeout)
-        if told is None:
+        answer = self._answer(process, line, self._timeout)
+        if answer is None:
             return Finished(job.key, self._died(), kept=False)
-        return Finished(job.key, str(told["sentence"]), bool(told["kept"]), bool(told["ends"]))
+        return Finished(job.key, str(answer["sentence"]), bool(answer["kept"]), bool(answer["ends"]))
 
     def stop(self) -> None:
-        """End the process, whatever it is at. May be called from another thread."""
+        """End the process for good, whatever it is at. May be called from another thread."""
+        with self._starting:
+            self._stopped = True
+        self._kill()
+
+    def _kill(self) -> None:
         process = self._process
         if process is not None:
             with contextlib.suppress(OSError):
@@ -77,23 +83,25 @@ class Worker:
         environment["PYTHONPATH"] = os.pathsep.join(filter(None, paths))
         self._errors = tempfile.TemporaryFile()  # noqa: SIM115 - let go with the process
         try:
-            process = subprocess.Popen(
-                [python(), "-m", MODULE, str(self._place)],
-                stdin=subprocess.PIPE,
-                stdout=subprocess.PIPE,
-                stderr=self._errors,
-                env=environment,
-            )
+            with self._starting:
+                if self._stopped:
+                    raise Cancelled("The study was stopped.")
+                self._process = process = subprocess.Popen(
+                    [python(), "-m", MODULE, str(self._place)],
+                    stdin=subprocess.PIPE,
+                    stdout=subprocess.PIPE,
+                    stderr=self._errors,
+                    env=environment,
+                )
         except OSError as error:
             raise ProgramFault(f"No process can be started beside this one ({error}).") from None
-        self._process = process
-        told = self._answer(process, None, _PATIENCE)
-        if told is None:
+        answer = self._answer(process, None, _PATIENCE)
+        if answer is None:
             raise ProgramFault(f"A process beside this one does not start: {self._died()}")
-        if told["program"] != program():
-            self.stop()
+        if answer["program"] != program():
+            self._kill()
             raise ProgramFault(
-                f"A process beside this one is of version {told['program']}, this one of {program()}: install"
+                f"A process beside this one is of version {answer['program']}, not of {program()}: install"
                 " one of them anew."
             )
         return process
@@ -112,21 +120,21 @@ class Worker:
             if line is not None:
                 process.stdin.write(line.encode() + b"\n")
                 process.stdin.flush()
-            told = json.loads(process.stdout.readline())
+            answer = json.loads(process.stdout.readline())
         except (OSError, ValueError):
             return None
         finally:
             timer.cancel()
-        return told if isinstance(told, dict) else None
+        return answer if isinstance(answer, dict) else None
 
     def _give_up(self) -> None:
         self._late = True
-        self.stop()
+        self._kill()
 
     def _died(self) -> str:
         """A sentence on how the process ended."""
         assert self._process is not None
-        self.stop()
+        self._kill()
         if self._late:
             return f"It took longer than {self._timeout:g} s: take a coarser mesh, or raise --timeout."
         status = self._process.returncode
