@@ -62,6 +62,7 @@ RESULTS: tuple[Result, ...] = (
     Result("gas_m3", ("maker.floating.0.gas_m3",), sum),
     Result("gas_cost", ("maker.floating.0.cost",), sum),
     Result("film_area_m2", ("maker.film_area_m2",), sum),
+    Result("film_cost", ("maker.film_cost",), sum),
     Result("roll_length_mm", ("maker.roll_length_mm",), sum),
     Result("seam_length_mm", ("maker.seam_length_mm",), sum),
     Result("welding_hours", ("maker.welding.hours",), sum),

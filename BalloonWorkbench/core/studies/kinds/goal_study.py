@@ -209,15 +209,8 @@ def _told(study: GoalStudy, trials: tuple[Trial, ...], top: Trial | None, reache
 
 def at_an_end(goal: Goal, top: Trial) -> list[str]:
     """The columns whose value is at an end of their range: a wider one may hold a better balloon."""
-    return [
-        name
-        for name, axis in goal.ranges.items()
-        for share in (0.0, 1.0)
-        if any(
-            str(top.values[name]) == str(axis.at(abs(share - step / 1000.0)))
-            for step in range(int(1000 * _AT_END))
-        )
-    ]
+    pairs = zip(goal.ranges, top.shares, strict=True)
+    return [name for name, share in pairs if min(share, 1.0 - share) < _AT_END]
 
 
 def goal_lines(study: GoalStudy, sought: Sought) -> list[str]:

@@ -21,7 +21,7 @@ from BalloonWorkbench.core.studies.study import Row
 from BalloonWorkbench.core.types import Floats
 
 #: Steps of the search, in parts of each range: the first one, and the last. Values are taken on a finer grid.
-_FIRST, _LAST, _GRID = 0.25, 0.004, 1000
+_FIRST, _LAST, _GRID = 0.25, 0.001, 10_000
 MOST_TRIALS = 40
 #: The search keeps so far within each limit, as it ends a little on either side of where it aims.
 _INSIDE = 2e-3
@@ -31,10 +31,15 @@ _FAILED = 1.0
 
 @dataclass(frozen=True)
 class Trial:
-    """A balloon that was tried: its values as they are written, and its results; None where it failed."""
+    """A balloon that was tried.
+
+    values   as they are written, of what may be chosen; shares: how far along each range
+    results  None where it failed
+    """
 
     values: Row
     results: Mapping[str, Any] | None
+    shares: tuple[float, ...] = ()
 
 
 #: Works out a balloon from its values by column; None where that failed.
@@ -53,7 +58,7 @@ def search(goal: Goal, choice: Row, evaluate: Evaluate) -> list[Trial]:
         if at not in tried:
             between = zip(goal.ranges.items(), at, strict=True)
             values = {**choice, **{name: axis.at(step / _GRID) for (name, axis), step in between}}
-            tried[at] = Trial(values, evaluate(values))
+            tried[at] = Trial(values, evaluate(values), tuple(step / _GRID for step in at))
         return tried[at].results or {}
 
     start = np.full(len(goal.ranges), 0.5)
