@@ -5,7 +5,8 @@ from __future__ import annotations
 
 import argparse
 
-from BalloonWorkbench.core.studies.job import FILES, MOST_ROWS, REPORT, TIMEOUT, WHOLE
+from BalloonWorkbench.core.studies.job import CLUSTERS, FILES, MOST_ROWS, REPORT, TIMEOUT, WHOLE
+from BalloonWorkbench.core.studies.runners.job_scripts import SCRIPTS
 
 STUDY = "study"
 
@@ -43,9 +44,20 @@ def add_study(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--shard", metavar="I/N", type=_share, default=WHOLE, help="only this part of the balloons, no table"
     )
+    command.add_argument("--scheduler", metavar="ADDRESS", default="", help="use the workers of this Dask")
+    command.add_argument(
+        "--dask", choices=CLUSTERS, default="", help="make a cluster of Dask, and work on it"
+    )
+    command.add_argument(
+        "--cluster", metavar="FILE", help="JSON file of what the cluster, or the script, is to be made with"
+    )
     way = command.add_mutually_exclusive_group()
     way.add_argument("--dry-run", action="store_true", help="only tell what would be done")
     way.add_argument("--collect", action="store_true", help="only write the table of what is there")
+    way.add_argument(
+        "--script", choices=SCRIPTS, help="only print a script that has other machines work out the shards"
+    )
+    command.add_argument("--shards", metavar="N", type=int, default=0, help="into how many, for --script")
 
 
 def _share(text: str) -> tuple[int, int]:

@@ -4,18 +4,23 @@
 from __future__ import annotations
 
 import argparse
+import os
 import sys
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 from BalloonWorkbench.cli import console
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.files.data_file import read_data
 from BalloonWorkbench.core.studies.folder import StudyFolder
 from BalloonWorkbench.core.studies.job import SAMPLE_OF_TOLERANCES, WHOLE, Finished, Runner
 from BalloonWorkbench.core.studies.kinds.goal_study import GoalStudy, goal_lines, needs_rows, run_goal
 from BalloonWorkbench.core.studies.kinds.tolerance_study import write_summary
 from BalloonWorkbench.core.studies.read_study import read_goal_study, read_study
 from BalloonWorkbench.core.studies.run import plan_study, run_study
+from BalloonWorkbench.core.studies.runners.dask_runner import DaskRunner
+from BalloonWorkbench.core.studies.runners.job_scripts import SCRIPTS
 from BalloonWorkbench.core.studies.runners.subprocesses import Subprocesses
 from BalloonWorkbench.core.studies.study import Study
 from BalloonWorkbench.core.studies.table import write_table
@@ -26,14 +31,17 @@ _SHOWN = 5  # failures that are told by the command itself; the table has all
 
 def run(options: argparse.Namespace, say: Say) -> int:
     """Do what the options say; the exit code. Raises BalloonError."""
+    if options.jobs < 0 or not options.timeout > 0.0:
+        raise InputError("--jobs and --timeout are numbers above 0.")
     goal = read_goal_study(options.study)
     if goal is not None:
         return _seek(goal, options, say)
     study = read_study(options.study, options.most)
     if options.keep is not None:
         study = replace(study, keep=options.keep)
-    if options.jobs < 0 or not options.timeout > 0.0:
-        raise InputError("--jobs and --timeout are numbers above 0.")
+    settings = _settings(options.cluster)
+    if options.script is not None:
+        return _show([_script(options, settings).rstrip()])
     if options.dry_run:
         return _show(_planned(study, options.out, say))
     if options.collect:
@@ -47,7 +55,7 @@ def run(options: argparse.Namespace, say: Say) -> int:
         line.show(done / max(of, 1), say(f"balloon {done} of {of}"))
 
     try:
-        outcome = run_study(study, options.out, _runner(options), options.shard, observe)
+        outcome = run_study(study, options.out, _runner(options, settings), options.shard, observe)
     finally:
         line.clear()
     made, failed = outcome.made, len(outcome.failures)
@@ -69,15 +77,20 @@ def _ends(study: Study, folder: StudyFolder, tables: tuple[Path, ...], say: Say)
 
 def _seek(goal: GoalStudy, options: argparse.Namespace, say: Say) -> int:
     """Search for a goal, and tell what was found; the exit code."""
-    if options.shard != WHOLE or options.dry_run or options.collect:
+    if options.shard != WHOLE or options.dry_run or options.collect or options.script is not None:
         raise needs_rows()
+    if options.scheduler or options.dask:
+        raise InputError(
+            "The search for a goal asks for a few balloons at a time, of this machine: leave out --scheduler"
+            " and --dask."
+        )
     line = console.StatusLine(sys.stderr)
 
-    def tell(done: int, of: int, _last: Finished | None) -> None:
+    def observe(done: int, of: int, _last: Finished | None) -> None:
         line.show(done / of, say(f"balloon {done} of {of} at most"))
 
     try:
-        sought = run_goal(goal, options.out, _runner(options), tell)
+        sought = run_goal(goal, options.out, Subprocesses(options.jobs, options.timeout), observe)
     finally:
         line.clear()
     lines = [f"- {sentence}" for sentence in [*dict.fromkeys(sought.failures.values())][:_SHOWN]]
@@ -86,8 +99,36 @@ def _seek(goal: GoalStudy, options: argparse.Namespace, say: Say) -> int:
     )
 
 
-def _runner(options: argparse.Namespace) -> Runner:
+def _runner(options: argparse.Namespace, settings: dict[str, Any]) -> Runner:
+    if options.scheduler and options.dask:
+        raise InputError("Give either --scheduler or --dask.")
+    if options.scheduler or options.dask:
+        return DaskRunner(options.scheduler, options.dask, options.jobs, settings, options.timeout)
     return Subprocesses(options.jobs, options.timeout)
+
+
+def _script(options: argparse.Namespace, settings: dict[str, Any]) -> str:
+    """The script that was asked for. Raises InputError."""
+    if options.shards < 1:
+        raise InputError("A script needs to know how many shards it has: give --shards a number.")
+    command = ["study", os.path.abspath(options.study), "--out", os.path.abspath(options.out)]
+    command += ["--timeout", f"{options.timeout:g}", "--most", str(options.most)]
+    command += [] if options.keep is None else ["--keep", options.keep]
+    return SCRIPTS[options.script](command, options.shards, settings)
+
+
+def _settings(name: str | None) -> dict[str, Any]:
+    """What the file of a cluster says. Raises InputError."""
+    if name is None:
+        return {}
+    try:
+        data = read_data(Path(name))
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or error
+        raise InputError(f"'{name}' cannot be read ({reason}): name a JSON file of settings.") from None
+    if not isinstance(data, dict):
+        raise InputError(f"'{name}' is no JSON object: write {{\"queue\": ...}}.")
+    return data
 
 
 def _planned(study: Study, out: str, say: Say) -> list[str]:

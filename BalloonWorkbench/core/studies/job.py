@@ -17,6 +17,8 @@ REPORT, FILES = "report", "files"
 #: More rows than this are an accident, unless it is said that they are not.
 MOST_ROWS = 1_000_000
 TIMEOUT = 3600.0  # s for one job
+#: Clusters of Dask that are made for a study.
+LOCAL, SSH, SLURM, KUBERNETES = CLUSTERS = "local", "ssh", "slurm", "kubernetes"
 #: The share (i, n) of a study that is all of it.
 WHOLE = (1, 1)
 

@@ -100,7 +100,9 @@ def test_the_cheapest_balloon_that_carries_a_lift(tmp_path: Path) -> None:
     assert sought.best.values["material"] == min(costs, key=lambda film: costs[film]) == "pe"
     assert sought.best.results["film_cost"] == pytest.approx(costs["pe"], rel=0.02)
     assert sought.best.results["lift_g"] >= 20.0
-    assert goal_lines(study, sought)[0].startswith(f"Best of {len(sought.trials)} balloons: material pe, width 7")
+    assert goal_lines(study, sought)[0].startswith(
+        f"Best of {len(sought.trials)} balloons: material pe, width 7"
+    )
 
 
 def test_every_balloon_is_a_row_and_none_is_made_twice(tmp_path: Path) -> None:

@@ -40,7 +40,7 @@ _READ: dict[str, Callable[[str], float]] = {
 
 
 @dataclass(frozen=True)
-class Limit:
+class GoalLimit:
     """A result that has to be at least, or else at most, a value in the unit of its column."""
 
     column: str
@@ -75,7 +75,7 @@ class Goal:
     aim: float
     choices: tuple[Row, ...]
     ranges: Mapping[str, Between]
-    limits: tuple[Limit, ...]
+    limits: tuple[GoalLimit, ...]
 
     def cost(self, results: Mapping[str, Any]) -> float:
         """Smaller is better; infinite where there is no value."""
@@ -167,7 +167,7 @@ def _choices(data: Any, folder: Path) -> tuple[tuple[Row, ...], dict[str, Betwee
     return tuple(dict(zip(lists, one, strict=True)) for one in itertools.product(*lists.values())), ranges
 
 
-def _limits(data: Any) -> tuple[Limit, ...]:
+def _limits(data: Any) -> tuple[GoalLimit, ...]:
     if not isinstance(data, Mapping):
         raise InputError(f'"{LIMITS}" cannot be read: write {{"lift": ">= 20 g"}}.')
     limits = []
@@ -177,7 +177,7 @@ def _limits(data: Any) -> tuple[Limit, ...]:
             match = re.fullmatch(r"\s*([<>])=?\s*(.+)", str(one))
             if match is None:
                 raise InputError(f"'{one}' is no limit for {column}: write one such as \">= 20\".")
-            limits.append(Limit(column, match[1] == ">", _number(column, match[2])))
+            limits.append(GoalLimit(column, match[1] == ">", _number(column, match[2])))
     for low, high in itertools.product(limits, limits):
         if low.column == high.column and low.at_least and not high.at_least and low.value > high.value:
             raise InputError(f"No balloon has {low.text} and {high.text}: these limits exclude each other.")

@@ -244,6 +244,6 @@ def _value(value: Any) -> str:
 def needs_rows() -> InputError:
     """What to raise where the rows of a goal would have to be known before."""
     return InputError(
-        "The search for a goal finds its balloons one after the other: leave out --shard, --dry-run and"
-        " --collect; what is there already is not made again."
+        "The search for a goal finds its balloons one after the other: leave out --shard, --script,"
+        " --dry-run and --collect; what is there already is not made again."
     )
