@@ -147,9 +147,8 @@ def _choices(data: Any, folder: Path) -> tuple[tuple[Row, ...], dict[str, Betwee
     ranges: dict[str, Between] = {}
     for name, value in data.items():
         column = column_named(name)
-        if isinstance(value, list) and len(value) == 2 and column.is_number:
-            value = {BETWEEN: value}
-        axis = axis_of(column, value, folder)
+        ends = isinstance(value, list) and len(value) == 2 and column.is_number
+        axis = axis_of(column, {BETWEEN: value} if ends else value, folder)
         if not isinstance(axis, Between):
             lists[column.name] = axis
         elif axis.whole:

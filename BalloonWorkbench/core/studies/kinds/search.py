@@ -54,7 +54,7 @@ def search(goal: Goal, choice: Row, evaluate: Evaluate) -> list[Trial]:
     tried: dict[tuple[int, ...], Trial] = {}
 
     def results_at(shares: Floats) -> Mapping[str, Any]:
-        at = tuple(int(round(float(share) * _GRID)) for share in np.clip(shares, 0.0, 1.0))
+        at = tuple(round(float(share) * _GRID) for share in np.clip(shares, 0.0, 1.0))
         if at not in tried:
             between = zip(goal.ranges.items(), at, strict=True)
             values = {**choice, **{name: axis.at(step / _GRID) for (name, axis), step in between}}
