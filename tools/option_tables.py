@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""option_tables.py   writes the tables of all options into docs/command-line.md and docs/api.md."""
+"""option_tables.py   writes the tables of all options, and of a study's results, into docs."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ from BalloonWorkbench.cli.options import help_text, metavar  # noqa: E402
 from BalloonWorkbench.core.options.film import FilmOptions  # noqa: E402
 from BalloonWorkbench.core.options.option import Kind, Option, options_of  # noqa: E402
 from BalloonWorkbench.core.options.table import options  # noqa: E402
+from BalloonWorkbench.core.studies.results import RESULTS  # noqa: E402
 
 BEGIN, END = "<!-- options: made by tools/option_tables.py -->\n", "<!-- end of options -->\n"
 
@@ -58,7 +59,14 @@ def _table(heads: tuple[str, ...], rows: object) -> str:
     return "".join(f"| {' | '.join(line)} |\n" for line in lines)
 
 
-TABLES = {"command-line.md": command_line, "api.md": api}
+def studies() -> str:
+    """The results of a study's table."""
+    rows = [(f"`{result.name}`", result.text) for result in RESULTS]
+    rows += [("`warnings`", "The notes of the report"), ("`failure`", "Why there is no balloon")]
+    return _table(("column", "what it is"), rows)
+
+
+TABLES = {"command-line.md": command_line, "api.md": api, "studies.md": studies}
 
 
 def renewed(path: Path) -> str:

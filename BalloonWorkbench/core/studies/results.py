@@ -17,12 +17,14 @@ class Result:
     """A column of results.
 
     name      with its unit, as in the report
+    text      what it is, a line for people
     paths     where the report of a part has it, the first that is there
     together  what a drawing of several shapes has, from the values of its parts, the largest first
     kind      float or bool
     """
 
     name: str
+    text: str
     paths: tuple[str, ...]
     together: Callable[[Sequence[Any]], Any] = _first
     kind: type[float] | type[bool] = float
@@ -37,6 +39,11 @@ class Result:
         return None if not values or None in values else self.together(values)
 
 
+def _error(which: str) -> tuple[str, str]:
+    """Where a report has an error: of two panels, of many."""
+    return f"design.silhouette_error_mm.{which}", f"design.error_mm.{which}"
+
+
 def _at(data: Any, path: str) -> Any:
     for name in path.split("."):
         if isinstance(data, list):
@@ -48,26 +55,26 @@ def _at(data: Any, path: str) -> Any:
 
 #: The results of a table, in its order. Lengths that describe a shape are those of the largest one.
 RESULTS: tuple[Result, ...] = (
-    Result("volume_m3", ("inflated.volume_m3",), sum),
-    Result("width_mm", ("inflated.width_mm",)),
-    Result("height_mm", ("inflated.height_mm",)),
-    Result("thickness_mm", ("inflated.thickness_mm",)),
-    Result("pressure_Pa", ("pressure_Pa",)),
-    Result("safe_pressure_Pa", ("maker.strength.safe_pressure_Pa",), min),
-    Result("max_tension_N_per_m", ("inflated.max_tension_N_per_m",), max),
-    Result("error_mean_mm", ("design.silhouette_error_mm.mean", "design.error_mm.mean"), max),
-    Result("error_max_mm", ("design.silhouette_error_mm.max", "design.error_mm.max"), max),
-    Result("weight_g", ("maker.weight_g.all",), sum),
-    Result("lift_g", ("maker.floating.0.lift_g",), sum),
-    Result("gas_m3", ("maker.floating.0.gas_m3",), sum),
-    Result("gas_cost", ("maker.floating.0.cost",), sum),
-    Result("film_area_m2", ("maker.film_area_m2",), sum),
-    Result("film_cost", ("maker.film_cost",), sum),
-    Result("roll_length_mm", ("maker.roll_length_mm",), sum),
-    Result("seam_length_mm", ("maker.seam_length_mm",), sum),
-    Result("welding_hours", ("maker.welding.hours",), sum),
-    Result("reached", ("design.reached",), all, bool),
-    Result("converged", ("solve.converged",), all, bool),
+    Result("volume_m3", "Volume", ("inflated.volume_m3",), sum),
+    Result("width_mm", "Width, inflated", ("inflated.width_mm",)),
+    Result("height_mm", "Height, inflated", ("inflated.height_mm",)),
+    Result("thickness_mm", "Thickness, inflated", ("inflated.thickness_mm",)),
+    Result("pressure_Pa", "Pressure inside, above that outside", ("pressure_Pa",)),
+    Result("safe_pressure_Pa", "Pressure with the margin left", ("maker.strength.safe_pressure_Pa",), min),
+    Result("max_tension_N_per_m", "Largest tension of the film", ("inflated.max_tension_N_per_m",), max),
+    Result("error_mean_mm", "Off the drawing, profile or body on average", _error("mean"), max),
+    Result("error_max_mm", "Off it at most", _error("max"), max),
+    Result("weight_g", "Weight of film, welds and valve", ("maker.weight_g.all",), sum),
+    Result("lift_g", "What the chosen gas carries besides", ("maker.floating.0.lift_g",), sum),
+    Result("gas_m3", "Gas that it takes, at the pressure outside", ("maker.floating.0.gas_m3",), sum),
+    Result("gas_cost", "What this gas costs", ("maker.floating.0.cost",), sum),
+    Result("film_area_m2", "Film that it takes", ("maker.film_area_m2",), sum),
+    Result("film_cost", "What this film costs, without what is left over", ("maker.film_cost",), sum),
+    Result("roll_length_mm", "Length of the usual roll that it takes", ("maker.roll_length_mm",), sum),
+    Result("seam_length_mm", "Length of the seams", ("maker.seam_length_mm",), sum),
+    Result("welding_hours", "Hours of welding, where they are known", ("maker.welding.hours",), sum),
+    Result("reached", "It meets what it was designed for", ("design.reached",), all, bool),
+    Result("converged", "The film came to rest", ("solve.converged",), all, bool),
 )
 WARNINGS = "warnings"
 
