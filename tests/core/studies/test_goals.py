@@ -256,3 +256,16 @@ def test_a_senseless_goal_is_told_in_a_sentence(goal: Any, sentence: str, tmp_pa
 def test_a_goal_without_an_input_is_refused(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="no inputs"):
         goal_study({"goal": CHEAPEST}, {}, tmp_path)
+
+
+def test_a_search_that_is_interrupted_ends(tmp_path: Path) -> None:
+    """As by Ctrl+C while a balloon is made: all searches and the runner end, and what was made stays."""
+    runner = ByFormula()
+
+    def interrupt(done: int, _of: int, _last: Finished | None) -> None:
+        if done == 4:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        run_goal(study_with(CHEAPEST, tmp_path), tmp_path / "out", runner, interrupt)
+    assert len([*(tmp_path / "out").rglob("report.json")]) >= 4

@@ -7,7 +7,7 @@ import contextlib
 import json
 import queue
 import threading
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -28,7 +28,8 @@ from BalloonWorkbench.core.units import number_text
 
 GOAL = "goal"
 FILE = "goal.json"
-_WAIT = 0.1  # s, until a search that was stopped is seen to be
+#: Seconds until searches are seen to have ended, and for which others may ask for more.
+_WAIT, _TOGETHER = 0.1, 0.02
 _AT_END = 0.01  # of a range
 
 
@@ -96,13 +97,14 @@ def run_goal(
             futures = [threads.submit(one.run) for one in searches]
             for future in futures:
                 future.add_done_callback(desk.search_ended)
-            with contextlib.closing(runner.run(desk.jobs(len(futures)), folder.place)) as finished:
-                try:
-                    for last in finished:
-                        desk.answer(last)
-                        observe(desk.made, study.most, last)
-                finally:
-                    desk.close()
+            try:
+                while batch := desk.next_jobs(len(futures)):
+                    with contextlib.closing(runner.run(batch, folder.place)) as finished:
+                        for last in finished:
+                            desk.answer(last)
+                            observe(desk.made, study.most, last)
+            finally:
+                desk.close()
         trials = tuple(trial for future in futures for trial in future.result())
         tables = write_table(
             study.study([{**study.fixed, **each.values} for each in trials]), folder, desk.failures
@@ -157,14 +159,18 @@ class _Desk:
         report = self.folder.report(row.key)
         return None if report is None else results_of(report)
 
-    def jobs(self, searches: int) -> Iterator[Job]:
-        """What is asked for, until all searches have ended."""
-        while not self._closed:
-            try:
-                yield self._asked.get(timeout=_WAIT)
-            except queue.Empty:
-                if self._ended == searches:
-                    return
+    def next_jobs(self, searches: int) -> list[Job]:
+        """What is asked for by now, at least one; none when all searches have ended.
+
+        Not a generator for the runner: its threads would wait in it when the work is stopped.
+        """
+        batch: list[Job] = []
+        while not batch and self._ended < searches:
+            with contextlib.suppress(queue.Empty):
+                batch.append(self._asked.get(timeout=_WAIT))
+                while True:
+                    batch.append(self._asked.get(timeout=_TOGETHER))
+        return batch
 
     def search_ended(self, _search: Future[list[Trial]]) -> None:
         """One search asks no more."""
