@@ -6,6 +6,7 @@ from __future__ import annotations
 import argparse
 import os
 import sys
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -13,10 +14,12 @@ from typing import Any
 from BalloonWorkbench.cli import console
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.files.data_file import read_data
+from BalloonWorkbench.core.language.speech import chosen_language
 from BalloonWorkbench.core.studies.folder import StudyFolder
 from BalloonWorkbench.core.studies.job import SAMPLE_OF_TOLERANCES, WHOLE, Finished, Runner
 from BalloonWorkbench.core.studies.kinds.goal_study import GoalStudy, goal_lines, needs_rows, run_goal
 from BalloonWorkbench.core.studies.kinds.tolerance_study import write_summary
+from BalloonWorkbench.core.studies.page import write_page
 from BalloonWorkbench.core.studies.read_study import read_goal_study, read_study
 from BalloonWorkbench.core.studies.run import plan_study, run_study
 from BalloonWorkbench.core.studies.runners.dask_runner import DaskRunner
@@ -47,8 +50,7 @@ def run(options: argparse.Namespace, say: Say) -> int:
     if options.collect:
         folder = StudyFolder(options.out)
         with folder.in_use():
-            tables = tuple(write_table(study, folder))
-        return _show(_ends(study, folder, tables, say))
+            return _show(_ends(study, options, write_table(study, folder), say))
     line = console.StatusLine(sys.stderr)
 
     def observe(done: int, of: int, _last: Finished | None) -> None:
@@ -63,16 +65,24 @@ def run(options: argparse.Namespace, say: Say) -> int:
     lines += [f"- {say(sentence)}" for sentence in [*dict.fromkeys(outcome.failures.values())][:_SHOWN]]
     if options.shard != WHOLE:
         lines.append(say("When all shards are done, --collect writes the table."))
-    return _show([*lines, *_ends(study, StudyFolder(options.out), outcome.tables, say)])
+        return _show(lines)
+    return _show([*lines, *_ends(study, options, outcome.tables, say, outcome.failures)])
 
 
-def _ends(study: Study, folder: StudyFolder, tables: tuple[Path, ...], say: Say) -> list[str]:
-    """Lines about the whole of a study, whose tables are written."""
+def _ends(
+    study: Study,
+    options: argparse.Namespace,
+    tables: Sequence[Path],
+    say: Say,
+    failures: Mapping[str, str] | None = None,
+) -> list[str]:
+    """Lines about the whole of a study, whose tables are written; its page and summary are written too."""
     lines: list[str] = []
-    if tables and study.task == SAMPLE_OF_TOLERANCES:
-        path, lines = write_summary(study, folder)
-        tables = (*tables, path)
-    return [*map(say, lines), *(say(f"Wrote {path}") for path in tables)]
+    paths = [*tables, _page(study, options, say, failures)]
+    if study.task == SAMPLE_OF_TOLERANCES:
+        path, lines = write_summary(study, StudyFolder(options.out))
+        paths.append(path)
+    return [*map(say, lines), *(say(f"Wrote {path}") for path in paths)]
 
 
 def _seek(goal: GoalStudy, options: argparse.Namespace, say: Say) -> int:
@@ -97,6 +107,15 @@ def _seek(goal: GoalStudy, options: argparse.Namespace, say: Say) -> int:
     return _show(
         [*map(say, [*goal_lines(goal, sought), *lines]), *(say(f"Wrote {path}") for path in sought.files)]
     )
+
+
+def _page(
+    study: Study, options: argparse.Namespace, say: Say, failures: Mapping[str, str] | None = None
+) -> Path:
+    """Write the web page of a study."""
+    title = console.readable(Path(options.study).stem).capitalize()
+    language = chosen_language(options.language, os.environ)
+    return write_page(study, StudyFolder(options.out), title, failures, language, say)
 
 
 def _runner(options: argparse.Namespace, settings: dict[str, Any]) -> Runner:

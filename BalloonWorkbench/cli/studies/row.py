@@ -15,14 +15,15 @@ from BalloonWorkbench.cli.options import parser
 from BalloonWorkbench.cli.settings import balloon_of, settings_of
 from BalloonWorkbench.core.bag_job import has_many_panels
 from BalloonWorkbench.core.job import report_bytes
+from BalloonWorkbench.core.shared.sharing import small_png
 from BalloonWorkbench.core.studies.folder import REPORT as NAME
-from BalloonWorkbench.core.studies.job import FILES
+from BalloonWorkbench.core.studies.job import FILES, PICTURE, PICTURES
 
 
 def make(request: Mapping[str, Any]) -> dict[str, bytes]:
     """The files of a balloon by name. Raises BalloonError.
 
-    request  arguments: of the command line, but for --out; keep: REPORT or FILES
+    request  arguments: of the command line, but for --out; keep: one of KEPT (core/studies/job.py)
     """
     with tempfile.TemporaryDirectory() as folder:
         options = parser().parse_args([*request["arguments"], f"--out={folder}"])
@@ -30,7 +31,7 @@ def make(request: Mapping[str, Any]) -> dict[str, bytes]:
             command_line.run_quietly(options)
             contents = {path.name: path.read_bytes() for path in sorted(Path(folder).iterdir())}
         else:
-            contents = {NAME: _report(options)}
+            contents = _report(options, pictured=request["keep"] == PICTURES)
     if NAME in contents:
         contents[NAME] = report_bytes(_without_times(json.loads(contents[NAME])))
     return contents
@@ -43,8 +44,11 @@ def _without_times(data: Any) -> Any:
     return [_without_times(each) for each in data] if isinstance(data, list) else data
 
 
-def _report(options: argparse.Namespace) -> bytes:
+def _report(options: argparse.Namespace, *, pictured: bool) -> dict[str, bytes]:
+    """The report alone, or with a small picture."""
     settings = settings_of(options)
     if has_many_panels(settings, options.input):
         many_panels.check(options)
-    return report_bytes(balloon_of(options, settings, (options.width, options.height)).report)
+    balloon = balloon_of(options, settings, (options.width, options.height))
+    contents = {NAME: report_bytes(balloon.report)}
+    return contents | ({PICTURE: small_png(balloon)} if pictured else {})
