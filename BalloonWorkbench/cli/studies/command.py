@@ -103,9 +103,13 @@ def _seek(goal: GoalStudy, options: argparse.Namespace, say: Say) -> int:
         sought = run_goal(goal, options.out, Subprocesses(options.jobs, options.timeout), observe)
     finally:
         line.clear()
+    page = _page(sought.study, options, say, sought.failures)
     lines = [f"- {sentence}" for sentence in [*dict.fromkeys(sought.failures.values())][:_SHOWN]]
     return _show(
-        [*map(say, [*goal_lines(goal, sought), *lines]), *(say(f"Wrote {path}") for path in sought.files)]
+        [
+            *map(say, [*goal_lines(goal, sought), *lines]),
+            *(say(f"Wrote {path}") for path in (*sought.files, page)),
+        ]
     )
 
 

@@ -61,11 +61,13 @@ class GoalStudy:
 class Sought:
     """What the search for a goal ended with.
 
+    study    whose rows are all that was tried, each a trial
     best     within the limits, or nearest to them; None where no balloon could be made
     reached  it is within all limits
     made     how many balloons were worked out now; failures: sentences by key; files: what was written
     """
 
+    study: Study
     trials: tuple[Trial, ...]
     best: Trial | None
     reached: bool
@@ -106,14 +108,13 @@ def run_goal(
             finally:
                 desk.close()
         trials = tuple(trial for future in futures for trial in future.result())
-        tables = write_table(
-            study.study([{**study.fixed, **each.values} for each in trials]), folder, desk.failures
-        )
+        rows = study.study([{**study.fixed, **each.values} for each in trials])
+        tables = write_table(rows, folder, desk.failures)
         top = best(study.goal, list(trials))
         reached = top is not None and study.goal.lack(top.results or {}) == 0.0
         text = json.dumps(_told(study, trials, top, reached), indent=2, ensure_ascii=False, allow_nan=False)
         write_files(folder.place, {FILE: (text + "\n").encode()})
-    return Sought(trials, top, reached, desk.made, desk.failures, (*tables, folder.place / FILE))
+    return Sought(rows, trials, top, reached, desk.made, desk.failures, (*tables, folder.place / FILE))
 
 
 @dataclass(frozen=True)
