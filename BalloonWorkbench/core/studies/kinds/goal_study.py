@@ -112,7 +112,9 @@ def run_goal(
         tables = write_table(rows, folder, desk.failures)
         top = best(study.goal, list(trials))
         reached = top is not None and study.goal.lack(top.results or {}) == 0.0
-        text = json.dumps(_told(study, trials, top, reached), indent=2, ensure_ascii=False, allow_nan=False)
+        text = json.dumps(
+            _goal_data(study, trials, top, reached), indent=2, ensure_ascii=False, allow_nan=False
+        )
         write_files(folder.place, {FILE: (text + "\n").encode()})
     return Sought(rows, trials, top, reached, desk.made, desk.failures, (*tables, folder.place / FILE))
 
@@ -198,7 +200,9 @@ class _Desk:
                     waiting.set_exception(Cancelled("The search was stopped; what was made stays."))
 
 
-def _told(study: GoalStudy, trials: tuple[Trial, ...], top: Trial | None, reached: bool) -> dict[str, Any]:
+def _goal_data(
+    study: GoalStudy, trials: tuple[Trial, ...], top: Trial | None, reached: bool
+) -> dict[str, Any]:
     """What goal.json tells."""
     goal = study.goal
     return {

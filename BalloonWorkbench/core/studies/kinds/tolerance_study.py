@@ -99,22 +99,22 @@ def _flat(report: Mapping[str, Any]) -> dict[str, Any]:
 
 def write_summary(study: Study, folder: StudyFolder) -> tuple[Path, list[str]]:
     """Write tolerances.json; its path, and lines for people. Raises ExportError."""
-    told = tolerance_summary(study, folder)
-    text = json.dumps(told, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+    data = tolerance_summary(study, folder)
+    text = json.dumps(data, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
     write_files(folder.place, {FILE: text.encode()})
-    return folder.place / FILE, summary_lines(told)
+    return folder.place / FILE, summary_lines(data)
 
 
-def summary_lines(told: Mapping[str, Any]) -> list[str]:
+def summary_lines(data: Mapping[str, Any]) -> list[str]:
     """The summary as sentences."""
-    count, failed, moving = told["samples"], told["failed"], told["not_at_rest"]
+    count, failed, moving = data["samples"], data["failed"], data["not_at_rest"]
     lines = [f"Samples: {count}, of these failed: {failed}, not at rest: {moving}"]
-    for key, one in told["measures"].items():
+    for key, one in data["measures"].items():
         low, middle, high = (number_text(each["value"], 4) for each in one["quantiles"])
         bars = _spans(one["tornado"])
         what = f"; most by {', '.join(bars)}" if bars else ""
         lines.append(f"{MEASURES[key]} ({_unit(key)}): 5 % {low}, 50 % {middle}, 95 % {high}{what}")
-    safe = told["safe_pressure"]
+    safe = data["safe_pressure"]
     return lines if safe is None else [*lines, safe["text"]]
 
 
