@@ -6,7 +6,7 @@ from __future__ import annotations
 import argparse
 import os
 import sys
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -16,9 +16,11 @@ from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.files.data_file import read_data
 from BalloonWorkbench.core.language.speech import chosen_language
 from BalloonWorkbench.core.studies.folder import StudyFolder
-from BalloonWorkbench.core.studies.job import WHOLE, Finished, Runner
+from BalloonWorkbench.core.studies.job import SAMPLE_OF_TOLERANCES, WHOLE, Finished, Runner
+from BalloonWorkbench.core.studies.kinds.goal_study import GoalStudy, goal_lines, needs_rows, run_goal
+from BalloonWorkbench.core.studies.kinds.tolerance_study import write_summary
 from BalloonWorkbench.core.studies.page import write_page
-from BalloonWorkbench.core.studies.read_study import read_study
+from BalloonWorkbench.core.studies.read_study import read_goal_study, read_study
 from BalloonWorkbench.core.studies.run import plan_study, run_study
 from BalloonWorkbench.core.studies.runners.dask_runner import DaskRunner
 from BalloonWorkbench.core.studies.runners.job_scripts import SCRIPTS
@@ -32,11 +34,14 @@ _SHOWN = 5  # failures that are told by the command itself; the table has all
 
 def run(options: argparse.Namespace, say: Say) -> int:
     """Do what the options say; the exit code. Raises BalloonError."""
+    if options.jobs < 0 or not options.timeout > 0.0:
+        raise InputError("--jobs and --timeout are numbers above 0.")
+    goal = read_goal_study(options.study)
+    if goal is not None:
+        return _seek(goal, options, say)
     study = read_study(options.study, options.most)
     if options.keep is not None:
         study = replace(study, keep=options.keep)
-    if options.jobs < 0 or not options.timeout > 0.0:
-        raise InputError("--jobs and --timeout are numbers above 0.")
     settings = _settings(options.cluster)
     if options.script is not None:
         return _show([_script(options, settings).rstrip()])
@@ -45,8 +50,7 @@ def run(options: argparse.Namespace, say: Say) -> int:
     if options.collect:
         folder = StudyFolder(options.out)
         with folder.in_use():
-            paths = [*write_table(study, folder), _page(study, options, say)]
-            return _show([say(f"Wrote {path}") for path in paths])
+            return _show(_ends(study, options, write_table(study, folder), say))
     line = console.StatusLine(sys.stderr)
 
     def observe(done: int, of: int, _last: Finished | None) -> None:
@@ -62,8 +66,51 @@ def run(options: argparse.Namespace, say: Say) -> int:
     if options.shard != WHOLE:
         lines.append(say("When all shards are done, --collect writes the table."))
         return _show(lines)
-    page = _page(study, options, say, outcome.failures)
-    return _show([*lines, *(say(f"Wrote {path}") for path in (*outcome.tables, page))])
+    return _show([*lines, *_ends(study, options, outcome.tables, say, outcome.failures)])
+
+
+def _ends(
+    study: Study,
+    options: argparse.Namespace,
+    tables: Sequence[Path],
+    say: Say,
+    failures: Mapping[str, str] | None = None,
+) -> list[str]:
+    """Lines about the whole of a study, whose tables are written; its page and summary are written too."""
+    lines: list[str] = []
+    paths = [*tables, _page(study, options, say, failures)]
+    if study.task == SAMPLE_OF_TOLERANCES:
+        path, lines = write_summary(study, StudyFolder(options.out))
+        paths.append(path)
+    return [*map(say, lines), *(say(f"Wrote {path}") for path in paths)]
+
+
+def _seek(goal: GoalStudy, options: argparse.Namespace, say: Say) -> int:
+    """Search for a goal, and tell what was found; the exit code."""
+    if options.shard != WHOLE or options.dry_run or options.collect or options.script is not None:
+        raise needs_rows()
+    if options.scheduler or options.dask:
+        raise InputError(
+            "The search for a goal asks for a few balloons at a time, of this machine: leave out --scheduler"
+            " and --dask."
+        )
+    line = console.StatusLine(sys.stderr)
+
+    def observe(done: int, of: int, _last: Finished | None) -> None:
+        line.show(done / of, say(f"balloon {done} of {of} at most"))
+
+    try:
+        sought = run_goal(goal, options.out, Subprocesses(options.jobs, options.timeout), observe)
+    finally:
+        line.clear()
+    page = _page(sought.study, options, say, sought.failures)
+    lines = [f"- {sentence}" for sentence in [*dict.fromkeys(sought.failures.values())][:_SHOWN]]
+    return _show(
+        [
+            *map(say, [*goal_lines(goal, sought), *lines]),
+            *(say(f"Wrote {path}") for path in (*sought.files, page)),
+        ]
+    )
 
 
 def _page(

@@ -49,6 +49,7 @@ def bag_numbers(
         tuple(seen.values()),
         safety(design.inflation, film, exact=exact),
         data.currency,
+        data.film_cost(film, patterns.film_area),
     )
 
 

@@ -54,6 +54,7 @@ class Numbers:
     """What one balloon takes.
 
     film_area     of all panels with welds, allowance and neck [m2]
+    film_cost     of that, without what is left over; None where there is no price
     roll          width and length [m] of film for all panels, laid side by side; None where it is too narrow
     seam_length   of the welds of one balloon [m]
     inner, border weight of the film inside the seams, and of weld, allowance and neck [kg]
@@ -73,6 +74,7 @@ class Numbers:
     floating: tuple[Floating, ...]
     safety: Safety
     currency: str
+    film_cost: float | None
 
     @property
     def weight(self) -> float:
@@ -132,6 +134,7 @@ def maker_numbers(
         tuple(seen.values()),
         safety(inflation, film, exact=exact),
         data.currency,
+        data.film_cost(film, 2.0 * pattern.film_area),
     )
 
 
@@ -191,6 +194,7 @@ def numbers_report(numbers: Numbers) -> dict[str, Any]:
     safe = numbers.safety
     return {
         "film_area_m2": numbers.film_area,
+        "film_cost": numbers.film_cost,
         "roll_width_mm": None if numbers.roll is None else to_mm(numbers.roll[0]),
         "roll_length_mm": None if numbers.roll is None else to_mm(numbers.roll[1]),
         "seam_length_mm": to_mm(numbers.seam_length),

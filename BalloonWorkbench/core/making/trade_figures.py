@@ -19,8 +19,8 @@ _MINUTE = 60.0
 @dataclass(frozen=True)
 class Making:
     """roll_width [m]; safety: strength over load; valve_film [kg/m2]; seals [N/m] by film; seal_share of the
-    film's strength otherwise; prices per m3 of gas by name; weld_speed [m/s] along a seam; handling [s] of
-    each seam beside that; sources."""
+    film's strength otherwise; prices per m3 of gas, film_prices per m2 of film; weld_speed [m/s] along
+    a seam; handling [s] of each seam beside that; sources."""
 
     roll_width: float
     safety: float
@@ -29,6 +29,7 @@ class Making:
     seal_share: float
     currency: str
     prices: Mapping[str, float]
+    film_prices: Mapping[str, float]
     weld_speed: float
     handling: float
     note: str
@@ -40,6 +41,11 @@ class Making:
         if strength is None and film.max_stress is not None:
             strength = self.seal_share * film.max_stress * film.thickness
         return strength
+
+    def film_cost(self, film: Film, area: float) -> float | None:
+        """Price of so much film [m2], without what is left over; None where it is not known."""
+        price = self.film_prices.get(film.name)
+        return None if price is None else price * area
 
 
 @cache
@@ -55,6 +61,7 @@ def making() -> Making:
             float(data["seal_share_otherwise"]),
             str(data["currency"]),
             {str(name): float(value) for name, value in data["gas_price_per_m3"].items()},
+            {str(name): float(value) for name, value in data["film_price_per_m2"].items()},
             float(data["weld_speed_m_per_min"]) / _MINUTE,
             float(data["handling_min_per_seam"]) * _MINUTE,
             str(data["note"]),

@@ -10,6 +10,8 @@ from typing import Any, Protocol
 
 #: What works out a balloon of the command line's options.
 BALLOON = "BalloonWorkbench.cli.studies.row"
+#: What works out a balloon with a maker's errors.
+SAMPLE_OF_TOLERANCES = "BalloonWorkbench.cli.studies.sample"
 #: What is kept of a balloon: its report, that and a small picture, or all files that the command line writes.
 REPORT, PICTURES, FILES = "report", "pictures", "files"
 KEPT = (REPORT, PICTURES, FILES)

@@ -62,9 +62,10 @@ def write_page(
     title, language: of the page; failures: as for `table_rows`
     """
     rows = [*islice(table_rows(study, folder, failures), _MOST_READ)]
+    options = [name for name in study.columns if name not in study.own]
     results = {result.name for result in RESULTS if result.kind is float}
     made = [
-        _column(name, rows, name in results, chosen=name in study.columns)
+        _column(name, rows, name in results, chosen=name in options)
         for name in headings(study)
         if name != KEY
     ]

@@ -67,19 +67,23 @@ class _Reader:
         """What is to be worked out for a row. Raises InputError."""
         if None in row:
             raise InputError("The row has more cells than there are columns: leave out what is too much.")
-        values = {name: self._value(name, row.get(name)) for name in self._study.columns}
+        study = self._study
+        values = {name: self._value(name, row.get(name)) for name in study.columns if name not in study.own}
         place = values.pop(INPUT)
         if not place.arguments:
             raise InputError("The row has no input: give it the name of a drawing.")
         command = values.pop(COMMAND, Value()).arguments or (DESIGN,)
         meaning = {name: value.meaning for name, value in values.items()}
-        own = {INPUT: place.meaning, COMMAND: command[0], "keep": self._study.keep}
+        own: dict[str, Any] = {INPUT: place.meaning, COMMAND: command[0], "keep": study.keep}
         arguments = [argument for value in values.values() for argument in value.arguments]
         request: dict[str, Any] = {
             "arguments": [command[0], place.arguments[0], *arguments],
-            "keep": self._study.keep,
+            "keep": study.keep,
         }
-        return Job(key_of(meaning | own), request)
+        if study.own:
+            of_task = {name: row[name] for name in study.own if row.get(name) is not None}
+            request["task"] = own["task"] = {**study.shared, **of_task}
+        return Job(key_of(meaning | own), request, study.task)
 
     def _value(self, name: str, cell: Any) -> Value:
         if cell is None or cell == "":

@@ -6,7 +6,7 @@ from __future__ import annotations
 import csv
 import io
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +16,8 @@ from BalloonWorkbench.core.files.user_file import read_whole
 from BalloonWorkbench.core.studies.axes import Axis, Between, axis_of
 from BalloonWorkbench.core.studies.columns import column_named
 from BalloonWorkbench.core.studies.job import MOST_ROWS, REPORT
+from BalloonWorkbench.core.studies.kinds.goal_study import GOAL, GoalStudy, goal_study
+from BalloonWorkbench.core.studies.kinds.tolerance_study import COUNT, SEEDED, TOLERANCES, tolerance_study
 from BalloonWorkbench.core.studies.study import Grid, Row, SampledRows, Study, check_count, points_of
 
 _LARGEST = 1 << 30  # bytes
@@ -36,6 +38,16 @@ def read_study(path: str | Path, most: int = MOST_ROWS) -> Study:
     return study_of(_data(path.name, content), folder, most)
 
 
+def read_goal_study(path: str | Path) -> GoalStudy | None:
+    """The study of a file that declares a goal, see `goal_study`; None for any other. Raises InputError."""
+    path = Path(path)
+    data = None if path.suffix.lower() == ".csv" else _data(path.name, read_whole(path, _LARGEST))
+    if not isinstance(data, Mapping) or GOAL not in data:
+        return None
+    _check_names(data, (FIXED, GOAL))
+    return goal_study(data, _named(data.get(FIXED, {}), FIXED), path.resolve().parent)
+
+
 def study_of(data: Mapping[str, Any], folder: Path, most: int = MOST_ROWS) -> Study:
     """A study from what its JSON says:
 
@@ -47,11 +59,10 @@ def study_of(data: Mapping[str, Any], folder: Path, most: int = MOST_ROWS) -> St
     """
     if not isinstance(data, Mapping):
         raise InputError('The study is no JSON object: begin it with {"vary": ...}.')
-    strange = [str(name) for name in data if name not in (FIXED, VARY, SAMPLE, ROWS, KEEP)]
-    if strange:
-        raise InputError(
-            f"A study has no '{strange[0]}': it has {FIXED}, {VARY}, {SAMPLE}, {ROWS} and {KEEP}."
-        )
+    if TOLERANCES in data:
+        _check_names(data, (FIXED, TOLERANCES, COUNT, SEEDED))
+        return tolerance_study(data, _named(data.get(FIXED, {}), FIXED), folder)
+    _check_names(data, (FIXED, VARY, SAMPLE, ROWS, KEEP))
     if (VARY in data) == (ROWS in data):
         raise InputError(f'Give a study either "{VARY}" or "{ROWS}".')
     fixed = _named(data.get(FIXED, {}), FIXED)
@@ -67,6 +78,12 @@ def study_of(data: Mapping[str, Any], folder: Path, most: int = MOST_ROWS) -> St
     else:
         rows = _grid(fixed, axes, most)
     return Study((*fixed, *axes), rows, keep, folder)
+
+
+def _check_names(data: Mapping[str, Any], known: Sequence[str]) -> None:
+    strange = [str(name) for name in data if name not in known]
+    if strange:
+        raise InputError(f"A study has no '{strange[0]}': it has {', '.join(known[:-1])} and {known[-1]}.")
 
 
 def _data(name: str, content: bytes) -> Any:

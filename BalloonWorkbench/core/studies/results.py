@@ -69,6 +69,7 @@ RESULTS: tuple[Result, ...] = (
     Result("gas_m3", "Gas that it takes, at the pressure outside", ("maker.floating.0.gas_m3",), sum),
     Result("gas_cost", "What this gas costs", ("maker.floating.0.cost",), sum),
     Result("film_area_m2", "Film that it takes", ("maker.film_area_m2",), sum),
+    Result("film_cost", "What this film costs, without what is left over", ("maker.film_cost",), sum),
     Result("roll_length_mm", "Length of the usual roll that it takes", ("maker.roll_length_mm",), sum),
     Result("seam_length_mm", "Length of the seams", ("maker.seam_length_mm",), sum),
     Result("welding_hours", "Hours of welding, where they are known", ("maker.welding.hours",), sum),

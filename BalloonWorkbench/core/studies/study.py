@@ -15,7 +15,7 @@ from BalloonWorkbench.core import packages
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.studies.axes import Axis, Between
 from BalloonWorkbench.core.studies.columns import INPUT, SEPARATOR
-from BalloonWorkbench.core.studies.job import KEPT, MOST_ROWS, REPORT
+from BalloonWorkbench.core.studies.job import BALLOON, KEPT, MOST_ROWS, REPORT
 
 LATIN, RANDOM = "latin-hypercube", "random"
 
@@ -31,12 +31,17 @@ class Study:
     rows     each a mapping from column to value, as it was written; may be worked out when it is asked for
     keep     of each balloon: one of KEPT (job.py)
     folder   from which files are looked for
+    task     what works out a row: see Job
+    own      columns that are no options: the task reads them; shared: what else it gets with each row
     """
 
     columns: tuple[str, ...]
     rows: Sequence[Row]
     keep: str = REPORT
     folder: Path = field(default_factory=Path)
+    task: str = BALLOON
+    own: tuple[str, ...] = ()
+    shared: Mapping[str, Any] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         if INPUT not in self.columns:

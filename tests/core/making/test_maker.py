@@ -237,6 +237,7 @@ def test_weld_may_be_the_weakest() -> None:
 def test_data_are_complete() -> None:
     data = making()
     assert set(data.prices) == set(gases())
+    assert set(data.film_prices) == set(films())
     assert set(data.seals) <= set(films())
     assert data.note
     assert data.sources
