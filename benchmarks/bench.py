@@ -3,15 +3,18 @@
 
 bench.py [--sizes N ...] [--evolver-sizes N ...]
 bench.py --strokes   only how soon a stroke is a balloon on the screen: the rest of the page stays as it is
+bench.py --studies 1000   only how much of the machine a study uses, what kills cost it; build/bench/studies.json
 """
 
 from __future__ import annotations
 
 import argparse
+import json
 import sys
+import tempfile
 from pathlib import Path
 
-from speed import page, strokes, suite
+from speed import page, strokes, studies, suite
 
 ROOT = Path(__file__).resolve().parents[1]
 
@@ -22,9 +25,16 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("--sizes", type=int, nargs="+", default=[500, 2000, 10000, 50000])
     parser.add_argument("--evolver-sizes", type=int, nargs="*", default=[2000, 10000])
     parser.add_argument("--strokes", action="store_true")
+    parser.add_argument("--studies", type=int, metavar="BALLOONS")
     options = parser.parse_args(arguments)
     folder = ROOT / "build" / "bench"
     folder.mkdir(parents=True, exist_ok=True)
+    if options.studies:
+        with tempfile.TemporaryDirectory(dir=folder) as place:
+            figures = json.dumps(studies.measure(Path(place), options.studies), indent=2)
+        (folder / "studies.json").write_text(figures + "\n", encoding="utf-8")
+        sys.stdout.write(figures + "\n")
+        return 0
     file = ROOT / "docs" / "benchmarks.md"
     if options.strokes:
         text = page.with_strokes(file.read_text(encoding="utf-8"), strokes.measure(folder))

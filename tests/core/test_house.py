@@ -44,7 +44,7 @@ ROOMS += ["pattern", "bag_pattern", "nesting", "making"]
 ROOMS += ["machines", "pictures", "artwork", "assembly_sheet", "advice", "reports"]
 
 OPTIONAL = ["cv2", "scipy", "ezdxf", "shapely", "pythoncdt", "matplotlib", "PIL"]
-OPTIONAL += ["spyrrow"]
+OPTIONAL += ["spyrrow", "distributed", "dask", "dask_jobqueue", "dask_kubernetes", "pyarrow"]
 
 
 def sources(*suffixes: str) -> list[Path]:
