@@ -40,6 +40,7 @@ from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.pattern.intake.places import intake_of
 from BalloonWorkbench.core.solver.inflate import inflate
+from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.types import Floats
 
@@ -132,15 +133,20 @@ class Truth:
     @cached_property
     def creased(self) -> tuple[float, float]:
         """Largest distance to the outline of the balloon, relative to the size, of those whose weld keeps 3 %
-        of its stiffness: one as wide, one twice as wide."""
+        of its stiffness: one as wide, one twice as wide, from the flat film or from the kinked balloon."""
         rim = np.concatenate(self.panel.loops)
-        moved = []
-        for times in (1.0, 2.0):
-            film = replace(FILM, seal_width=times * FILM.seal_width, weld_rigidity=0.03 * FILM.weld_rigidity)
-            weak = inflate(self.panel, film, PRESSURE)
-            laid = laid_over(weak, self.balloon.positions[rim, :2])
-            moved.append(residual(silhouette(self.balloon), silhouette(laid)).max / self.size)
-        return moved[0], moved[1]
+
+        def moved(balloon: Inflation) -> float:
+            laid = laid_over(balloon, self.balloon.positions[rim, :2])
+            return float(residual(silhouette(self.balloon), silhouette(laid)).max / self.size)
+
+        weak, wide = (
+            replace(FILM, seal_width=times * FILM.seal_width, weld_rigidity=0.03 * FILM.weld_rigidity)
+            for times in (1.0, 2.0)
+        )
+        kinked = inflate(self.panel, weak, PRESSURE)
+        wider = [inflate(self.panel, wide, PRESSURE, start=start) for start in (None, kinked)]
+        return moved(kinked), max(moved(one) for one in wider)
 
     def relative_volume(self) -> float:
         """V / A^1.5 relative to a disc's."""

@@ -40,16 +40,19 @@ def seam_height(pattern: Outline, film: Film) -> float:
 def creased_outlines(pattern: Outline, film: Film, seal_widths: tuple[float, ...]) -> list[Misfit]:
     """How far the outline of a pattern moves where its weld creases, for welds of some widths [m].
 
-    From where it is with the first of these widths while that stays elastic.
+    From where it is with the first of these widths while that stays elastic. Each starts from the balloon
+    that the one before has creased: a kinked ring and an even one may both be at rest, and which comes out of
+    the flat film is an accident of mesh and rounding. So only a width that straightens a ring helps.
     """
     panel = rough_panel(pattern, _VERTICES)
     rigidities = [film.weld_rigidity * _stiffer(film, width) for width in seal_widths]
     sound = inflate(panel, replace(_plain(film), weld_rigidity=rigidities[0]), PRESSURE)
-    outline = silhouette(sound)
-    return [
-        misfit(outline, silhouette(_creased(panel, film, CREASED * rigidity, sound)))
-        for rigidity in rigidities
-    ]
+    outline, rim = silhouette(sound), sound.positions[np.concatenate(panel.loops), :2]
+    creased, moved = None, []
+    for rigidity in rigidities:
+        creased = _creased(panel, film, CREASED * rigidity, creased)
+        moved.append(misfit(outline, silhouette(laid_over(creased, rim))))
+    return moved
 
 
 def _stiffer(film: Film, seal_width: float) -> float:
@@ -57,10 +60,9 @@ def _stiffer(film: Film, seal_width: float) -> float:
     return ((seal_width + BEYOND_WELD) / (film.seal_width + BEYOND_WELD)) ** 3
 
 
-def _creased(panel: Panel, film: Film, rigidity: float, sound: Inflation) -> Inflation:
+def _creased(panel: Panel, film: Film, rigidity: float, start: Inflation | None) -> Inflation:
     weak = replace(_plain(film), weld_rigidity=rigidity)
-    balloon = inflate(panel, weak, PRESSURE, settings=NewtonSettings(max_steps=_STEPS))
-    return laid_over(balloon, sound.positions[np.concatenate(panel.loops), :2])
+    return inflate(panel, weak, PRESSURE, start=start, settings=NewtonSettings(max_steps=_STEPS))
 
 
 def _plain(film: Film) -> Film:
