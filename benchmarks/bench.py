@@ -3,7 +3,7 @@
 
 bench.py [--sizes N ...] [--evolver-sizes N ...]
 bench.py --strokes   only how soon a stroke is a balloon on the screen: the rest of the page stays as it is
-bench.py --studies 1000   only how much of the machine a study uses, what kills cost it; build/bench/studies.json
+bench.py --studies 1000   only how much of the machine a study uses, what kills cost: build/bench/studies.json
 """
 
 from __future__ import annotations

@@ -9,6 +9,7 @@ import os
 import stat
 import sys
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -16,11 +17,13 @@ from typing import Any
 from BalloonWorkbench.cli import bed, console, making, many_panels
 from BalloonWorkbench.cli import document as cli_document
 from BalloonWorkbench.cli.home import home
-from BalloonWorkbench.cli.options import FETCH, language_of, parser
-from BalloonWorkbench.cli.settings import balloon_of, picture_reader, settings_of
+from BalloonWorkbench.cli.options import FETCH, language_of, parser, typed
+from BalloonWorkbench.cli.solid import solid_reader
 from BalloonWorkbench.cli.studies.arguments import STUDY
 from BalloonWorkbench.cli.summary import bag_summary, summary
-from BalloonWorkbench.core.bag_job import FinishedBags, bag_makers, has_many_panels
+from BalloonWorkbench.core.bag_design.source import PANELS, Readers, form_of
+from BalloonWorkbench.core.bag_job import FinishedBags, bag_makers, has_many_panels, make_bags
+from BalloonWorkbench.core.design.size_goal import SizeGoal
 from BalloonWorkbench.core.errors import (
     BalloonError,
     ExportError,
@@ -30,10 +33,15 @@ from BalloonWorkbench.core.errors import (
 )
 from BalloonWorkbench.core.faults import UNFORESEEN, report_fault
 from BalloonWorkbench.core.files.write import check_folder, write_files
+from BalloonWorkbench.core.film.filling import Filling, gas
+from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.film.library import custom_film, film, with_grain, with_weld
 from BalloonWorkbench.core.job import (
     Balloon,
+    Settings,
     inflation_files,
     left_out_text,
+    make_balloon,
     makers,
     report_bytes,
 )
@@ -41,7 +49,15 @@ from BalloonWorkbench.core.language.speech import speech
 from BalloonWorkbench.core.machines.bed import SCALE
 from BalloonWorkbench.core.machines.machine import Machine, left_out
 from BalloonWorkbench.core.machines.machine_file import checked_files, machines_for
+from BalloonWorkbench.core.options.body import BandOptions, BodyOptions, TargetOptions
+from BalloonWorkbench.core.options.drawing import FillingOptions, ReadingOptions
+from BalloonWorkbench.core.options.film import DEFAULT_FILM
+from BalloonWorkbench.core.options.making import WeldingOptions
+from BalloonWorkbench.core.options.pattern import PatternOptions
+from BalloonWorkbench.core.options.simulation import InflationOptions, ModelOptions
+from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.solver.native import load, native_wheel
+from BalloonWorkbench.core.tracing.raster import opencv
 from BalloonWorkbench.core.types import Made, Progress, Say, in_english
 from BalloonWorkbench.core.units import number_text
 
@@ -104,7 +120,7 @@ class _Run:
     def command(self, options: argparse.Namespace) -> int:
         """Do what the options say."""
         width, height = options.width, options.height
-        settings = settings_of(options)
+        settings = _settings(options)
         for name in (options.input, options.artwork, options.artwork_back, *options.machine):
             _refuse_streams(name)
         # a mistake shows before the work
@@ -112,13 +128,18 @@ class _Run:
         if many:
             many_panels.check(options)
         chosen, doubts = machines_for(settings.film, bed.machines_of(options))
-        make = making.checked(options, picture_reader(), self.say)
+        make = making.checked(options, _decode(), self.say)
         check_folder(options.out)
         line = console.StatusLine(sys.stderr)
         progress = self._progress(line)
 
         def design(size: bed.Size, scale: float = 1.0) -> Balloon | FinishedBags:
-            return balloon_of(options, settings, size, scale, progress=progress, attempt=self._attempt)
+            known: dict[str, Any] = {"progress": progress, "attempt": self._attempt, **_readers(many)}
+            if form_of(options.input) == PANELS:  # it has its own size; another one is refused
+                asked = {"width": options.width, "height": options.height}
+                return make_bags(options.input, settings, scale=scale, **asked, **known)
+            making_of = make_bags if many else make_balloon
+            return making_of(options.input, settings, width=size[0], height=size[1], **known)
 
         smaller: list[str] = []
         try:
@@ -262,6 +283,17 @@ def run_quietly(options: argparse.Namespace) -> None:
         _Run().command(options)
 
 
+def report_alone(options: argparse.Namespace) -> bytes:
+    """The content of report.json, without any other file. Raises BalloonError, and what nobody foresaw."""
+    settings = _settings(options)
+    many = has_many_panels(settings, options.input)
+    if many:
+        many_panels.check(options)
+    make = make_bags if many else make_balloon
+    size = {"width": options.width, "height": options.height}
+    return report_bytes(make(options.input, settings, **size, **_readers(many)).report)
+
+
 def _makers(balloon: Balloon | FinishedBags, results: str | None) -> dict[str, Callable[[], bytes]]:
     return bag_makers(balloon, results) if isinstance(balloon, FinishedBags) else makers(balloon, results)
 
@@ -272,3 +304,63 @@ def _refuse_streams(name: str | None) -> None:
         mode = os.stat(name or "").st_mode
         if not (stat.S_ISREG(mode) or stat.S_ISDIR(mode)):
             raise InputError(f"'{name}' is a pipe or a device: save what comes from it, and name that file.")
+
+
+def _settings(options: argparse.Namespace) -> Settings:
+    filling = typed(options, FillingOptions)
+    inflation = replace(typed(options, InflationOptions), correct=options.command == "design")
+    return Settings(
+        **vars(typed(options, ReadingOptions)),
+        **vars(inflation),
+        film=_film(options),
+        model=Model(**vars(typed(options, ModelOptions))),
+        goal=_goal(options),
+        filling=Filling(**{**vars(filling), "gas": gas(filling.gas)}),
+        pattern=typed(options, PatternOptions),
+        body=typed(options, BodyOptions),
+        side_band=typed(options, BandOptions),
+        target=typed(options, TargetOptions),
+        welding=typed(options, WeldingOptions),
+    )
+
+
+def _goal(options: argparse.Namespace) -> SizeGoal | None:
+    goal = typed(options, SizeGoal)
+    if goal == SizeGoal():
+        return None
+    if options.width is not None or options.height is not None:
+        raise InputError("--target-volume and --target-lift decide the size: leave out --width and --height.")
+    return goal
+
+
+def _film(options: argparse.Namespace) -> Film:
+    own = (options.young, options.poisson, options.thickness)
+    if all(value is None for value in own):
+        plain = film(options.material or DEFAULT_FILM)
+    elif options.material is not None or any(value is None for value in own):
+        raise InputError("Give either --material, or all of --young, --poisson and --thickness.")
+    else:
+        plain = custom_film(*own)
+    if options.weld_rigidity is not None:
+        plain = with_weld(plain, options.weld_rigidity)
+    if options.young_across is not None:
+        return with_grain(plain, options.young_across, options.grain)
+    if options.grain:
+        raise InputError("Only a film with another stiffness across has a grain: give --young-across too.")
+    return plain
+
+
+def _readers(many: bool) -> dict[str, Any]:
+    """What reads the files that the engine does not, as the jobs ask for it; many: for many panels."""
+    return {"readers": Readers(_decode(), solid_reader())} if many else {"decode": _decode()}
+
+
+def _decode() -> Any:
+    """Qt's picture reader where OpenCV is missing; None means OpenCV."""
+    if opencv() is not None:
+        return None
+    try:
+        from BalloonWorkbench.app.drawings import qt_picture
+    except ImportError:
+        return None  # the reader of pictures says what to install
+    return qt_picture.decode

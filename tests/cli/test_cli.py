@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 from drawn_pictures import any_of, coloured, disc, drawn, png, ring
 
-from BalloonWorkbench.cli import command_line, settings
+from BalloonWorkbench.cli import command_line
 from BalloonWorkbench.core.readers.read import read_outline
 
 ROOT = Path(__file__).parents[2]
@@ -300,7 +300,7 @@ def test_the_module_runs_as_a_program_and_exits_with_2(tmp_path: Path) -> None:
 def test_without_opencv_a_picture_still_becomes_a_balloon(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(settings, "opencv", lambda: None)
+    monkeypatch.setattr(command_line, "opencv", lambda: None)
     words = [
         "inflate",
         str(PICTURES / "star.png"),

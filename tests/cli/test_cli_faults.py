@@ -11,7 +11,7 @@ from typing import Any, NoReturn
 
 import pytest
 
-from BalloonWorkbench.cli import command_line, freecad_process, making, settings
+from BalloonWorkbench.cli import command_line, freecad_process, making
 from BalloonWorkbench.core import job
 from BalloonWorkbench.core.artwork.files import png_bytes
 from BalloonWorkbench.core.reports import report
@@ -127,6 +127,6 @@ def test_nothing_can_be_computed(
     place: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setenv("BALLOON_FAULT_FOLDER", str(place / "details"))
-    monkeypatch.setattr(settings, "make_balloon", lambda *_a, **_n: 1 / 0)
+    monkeypatch.setattr(command_line, "make_balloon", lambda *_a, **_n: 1 / 0)
     assert run(place) == 70
     assert capsys.readouterr().err.count("\n") == 1

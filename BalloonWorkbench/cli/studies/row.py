@@ -3,17 +3,14 @@
 
 from __future__ import annotations
 
-import argparse
 import json
 import tempfile
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from BalloonWorkbench.cli import command_line, many_panels
+from BalloonWorkbench.cli import command_line
 from BalloonWorkbench.cli.options import parser
-from BalloonWorkbench.cli.settings import balloon_of, settings_of
-from BalloonWorkbench.core.bag_job import has_many_panels
 from BalloonWorkbench.core.job import report_bytes
 from BalloonWorkbench.core.studies.folder import REPORT as NAME
 from BalloonWorkbench.core.studies.job import FILES
@@ -30,7 +27,7 @@ def make(request: Mapping[str, Any]) -> dict[str, bytes]:
             command_line.run_quietly(options)
             contents = {path.name: path.read_bytes() for path in sorted(Path(folder).iterdir())}
         else:
-            contents = {NAME: _report(options)}
+            contents = {NAME: command_line.report_alone(options)}
     if NAME in contents:
         contents[NAME] = report_bytes(_without_times(json.loads(contents[NAME])))
     return contents
@@ -41,10 +38,3 @@ def _without_times(data: Any) -> Any:
     if isinstance(data, dict):
         return {name: _without_times(value) for name, value in data.items() if name != "seconds"}
     return [_without_times(each) for each in data] if isinstance(data, list) else data
-
-
-def _report(options: argparse.Namespace) -> bytes:
-    settings = settings_of(options)
-    if has_many_panels(settings, options.input):
-        many_panels.check(options)
-    return report_bytes(balloon_of(options, settings, (options.width, options.height)).report)
