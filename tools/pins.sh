@@ -11,7 +11,7 @@ for list in requirements.in tools/requirements-*.in; do
     case $list in
         # these go into .venv, which has the others from Debian
         requirements.in) options+=(--no-emit-package numpy --no-emit-package fonttools --no-emit-package pyparsing) ;;
-        *-checks.in) options=(--python-version 3.11) ;;
+        *-checks.in) options=(--python-version 3.11 --no-emit-package numpy) ;;
     esac
     echo "$list"
     .venv/bin/python -m uv pip compile --quiet --universal --generate-hashes --only-binary :all: --no-annotate \

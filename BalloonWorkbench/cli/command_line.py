@@ -283,15 +283,15 @@ def run_quietly(options: argparse.Namespace) -> None:
         _Run().command(options)
 
 
-def report_alone(options: argparse.Namespace) -> bytes:
-    """The content of report.json, without any other file. Raises BalloonError, and what nobody foresaw."""
+def balloon_alone(options: argparse.Namespace) -> Balloon | FinishedBags:
+    """The balloon that the options ask for, without any file. Raises what the commands raise."""
     settings = _settings(options)
     many = has_many_panels(settings, options.input)
     if many:
         many_panels.check(options)
     make = make_bags if many else make_balloon
     size = {"width": options.width, "height": options.height}
-    return report_bytes(make(options.input, settings, **size, **_readers(many)).report)
+    return make(options.input, settings, **size, **_readers(many))
 
 
 def _makers(balloon: Balloon | FinishedBags, results: str | None) -> dict[str, Callable[[], bytes]]:

@@ -4,7 +4,9 @@
 from __future__ import annotations
 
 import argparse
+import os
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -12,10 +14,13 @@ from BalloonWorkbench.cli.console import readable
 from BalloonWorkbench.core.bag_job import FinishedBags
 from BalloonWorkbench.core.errors import ExportError, InputError
 from BalloonWorkbench.core.job import Balloon
+from BalloonWorkbench.core.language.speech import chosen_language
 from BalloonWorkbench.core.machines.machine import ANY, Machine, machines
 from BalloonWorkbench.core.machines.machine_file import checked_files
 from BalloonWorkbench.core.nesting.layout import GrainRule, Stock
+from BalloonWorkbench.core.options.making import HTML
 from BalloonWorkbench.core.products import Artwork, assembly_files, bag_print, nested, print_files
+from BalloonWorkbench.core.shared.sharing import GLB, PAGE, glb_file, page_file
 from BalloonWorkbench.core.tracing.picture_file import decode, picture_size
 from BalloonWorkbench.core.types import Attempt, Progress, Say
 from BalloonWorkbench.core.units import (
@@ -36,6 +41,7 @@ def checked(
     """
     artwork = _artwork(options, reader or decode)
     stock = None if options.nest is None else _stock(options)
+    language = chosen_language(options.language, os.environ)
 
     def make(
         balloon: Balloon | FinishedBags, chosen: Sequence[Machine], progress: Progress, attempt: Attempt
@@ -55,8 +61,13 @@ def checked(
                     lambda: _nest(balloon, stock, options.balloons, asked, options.oversize, progress, say),
                 )
             )
+        title = readable(Path(options.input).stem).capitalize()
+        if options.glb:
+            made.append(attempt(GLB, lambda: ({GLB: glb_file(balloon, title, artwork)}, [])))
+        if options.report == HTML:
+            page = partial(page_file, balloon, title, artwork, say, language)
+            made.append(attempt(PAGE, lambda: ({PAGE: page()}, [])))
         if options.assembly is not None:
-            title = readable(Path(options.input).stem).capitalize()
             made.append(
                 attempt("assembly.pdf", lambda: (assembly_files(balloon, title, options.assembly, say), []))
             )

@@ -13,7 +13,7 @@ from BalloonWorkbench import __version__
 from BalloonWorkbench.cli.console import UNSHOWN, complain, show
 from BalloonWorkbench.cli.studies.arguments import STUDY, add_study
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.language.speech import language_named, short_names, users_language
+from BalloonWorkbench.core.language.speech import chosen_language, short_names
 from BalloonWorkbench.core.machines.machine import machines
 from BalloonWorkbench.core.options.option import Kind, Option, options_of
 from BalloonWorkbench.core.options.table import options
@@ -48,8 +48,7 @@ def language_of(arguments: Sequence[str] | None) -> str:
     """
     known = _Parser(add_help=False, allow_abbrev=False)
     _add_language(known)
-    name = known.parse_known_args(arguments)[0].language
-    return users_language(os.environ) if name is None else language_named(name)
+    return chosen_language(known.parse_known_args(arguments)[0].language, os.environ)
 
 
 def _add_language(command: argparse.ArgumentParser) -> None:
@@ -78,7 +77,9 @@ def parser() -> argparse.ArgumentParser:
         command.add_argument("--out", metavar="DIR", required=True, help="folder for the files")
         _add_language(command)
         _add_options(command)
-    add_study(_add_parser(commands, STUDY, "make many balloons, from a table of options or a grid"))
+    study = _add_parser(commands, STUDY, "make many balloons, from a table of options or a grid")
+    add_study(study)
+    _add_language(study)
     commands.add_parser(
         FETCH,
         help="fetch the native solver from the network, where the workbench came without it",

@@ -65,13 +65,7 @@ def printed(
 
     Raises what artwork_sheets and of_drawing raise.
     """
-    low, size = drawing
-    front = (
-        of_drawing(artwork.front, low, size, artwork.drawn_as)
-        if artwork.traced
-        else covering(artwork.front, low, size)
-    )
-    behind = None if artwork.back is None else mirrored(covering(artwork.back, low, size))
+    front, behind = pictures_of(drawing, artwork)
     own = [bordered(pattern, artwork.bleed) for pattern in patterns]
     shifts = beside(own)
     moved = [pattern.moved(shift) for pattern, shift in zip(own, shifts, strict=True)]
@@ -87,11 +81,29 @@ def printed(
     return artwork_sheets(prints, marked(whole), artwork.dpi)
 
 
+def pictures_of(drawing: tuple[Floats, Floats], artwork: Artwork) -> tuple[Picture, Picture | None]:
+    """What is printed on the front, and on the back as seen through it; None for the same.
+
+    drawing, errors  as for `printed`
+    """
+    low, size = drawing
+    front = (
+        of_drawing(artwork.front, low, size, artwork.drawn_as)
+        if artwork.traced
+        else covering(artwork.front, low, size)
+    )
+    return front, None if artwork.back is None else mirrored(covering(artwork.back, low, size))
+
+
+def box_of(balloon: Balloon) -> tuple[Floats, Floats]:
+    """Lower left corner (2,) and size (2,) of all that was drawn [m]."""
+    low, high = bounds(np.concatenate([part.outer for part in balloon.drawing.parts]))
+    return low, high - low
+
+
 def print_files(balloon: Balloon, artwork: Artwork) -> tuple[dict[str, bytes], tuple[str, ...], Sheet, Sheet]:
     """Contents of the files to print by name, remarks, and both sheets: their patterns are what is cut."""
-    points = np.concatenate([part.outer for part in balloon.drawing.parts])
-    low, high = bounds(points)
-    front, back = printed(balloon.designs, balloon.patterns, (low, high - low), artwork)
+    front, back = printed(balloon.designs, balloon.patterns, box_of(balloon), artwork)
     return (*artwork_files(front, back), front, back)
 
 

@@ -114,7 +114,7 @@ def test_an_entry_is_a_property_and_a_value_of_macros(tmp_path):
         text=True,
         check=False,
         stdin=subprocess.DEVNULL,
-        timeout=120,
+        timeout=600,
     )
     held = [line.partition("held: ")[2] for line in ended.stdout.splitlines() if "held: " in line]
     assert held == ["4.0 Hot Marks 0.004 hot", "0.005 True"], ended.stdout[-3000:] + ended.stderr

@@ -23,7 +23,7 @@ def solved():
     document = App.newDocument("Ring")
     document.UndoMode = 1
     name = document.Name
-    yield create.balloon_from_sketch(document, sketches.ring(document), mesh_size=12, intake=False)
+    yield create.balloon_from_sketch(document, sketches.ring(document), mesh_size=16, intake=False)
     App.closeDocument(name)
 
 
@@ -182,8 +182,8 @@ def test_weld_inside_reaches_the_file(doc, tmp_path):
 
     box = sketches.polygon((0, 0), (120, 0), (120, 80), (0, 80))
     sketch = sketches.sketch(doc, *box, sketches.line((30, 40), (90, 40)))
-    welded = create.balloon_from_sketch(doc, sketch, mesh_size=9)
-    plain = create.balloon_from_sketch(doc, sketches.rectangle(doc, 120, 80), mesh_size=9)
+    welded = create.balloon_from_sketch(doc, sketch, mesh_size=14)
+    plain = create.balloon_from_sketch(doc, sketches.rectangle(doc, 120, 80), mesh_size=14)
     assert welded.pattern.Roles.count("WELD") == 1
     assert 0.4 < welded.balloon.Volume.Value / plain.balloon.Volume.Value < 0.8
     lines = ezdxf.readfile(export_pattern(welded.pattern, tmp_path / "a.dxf")).modelspace()

@@ -45,7 +45,7 @@ def test_every_shape_is_made_in_plain_python():
         capture_output=True,
         text=True,
         check=False,
-        timeout=120,
+        timeout=600,
     )
     assert f"made: {['up to date'] * 5} {['Compound'] * 4}" in ended.stdout, (
         ended.returncode,

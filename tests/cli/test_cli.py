@@ -13,8 +13,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 from drawn_pictures import any_of, coloured, disc, drawn, png, ring
+from matplotlib.image import imread
 
 from BalloonWorkbench.cli import command_line
+from BalloonWorkbench.core import job
+from BalloonWorkbench.core.pictures.preview import preview_png
 from BalloonWorkbench.core.readers.read import read_outline
 
 ROOT = Path(__file__).parents[2]
@@ -26,9 +29,11 @@ SQUARE = {"unit": "mm", "outer": [[0, 0], [200, 0], [200, 200], [0, 200]]}
 @pytest.fixture(scope="module")
 def heart(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("out") / "not yet there" / "Herz ♥"
-    words = ["design", str(PICTURES / "heart.png"), "--width", "300mm", "--out", str(folder)]
+    words = ["design", str(PICTURES / "heart.png"), "--width", "300mm", "--mesh-size", "12mm"]
+    words += ["--out", str(folder)]
     with pytest.MonkeyPatch.context() as patch:
         patch.delitem(sys.modules, "FreeCAD")  # the one design here that is written with its document
+        patch.setattr(job, "preview_png", preview_png)  # and with its picture
         assert command_line.main(words) == 0
     return folder
 
@@ -44,6 +49,7 @@ def square(tmp_path: Path) -> Path:
 def test_design_writes_all_its_files(heart: Path) -> None:
     document = {"balloon.FCStd"} if importlib.util.find_spec("FreeCAD") else set()
     assert {path.name for path in heart.iterdir()} == FILES | document
+    assert min(imread(heart / "preview.png").shape[:2]) > 500
 
 
 def test_report_holds_what_schema_2_promises(heart: Path) -> None:
@@ -123,7 +129,7 @@ def test_solvers_agree_through_the_command_line(square: Path, tmp_path: Path) ->
     for extra in ([], ["--no-native"]):
         out = tmp_path / f"out{len(extra)}"
         assert (
-            command_line.main(["inflate", str(square), "--out", str(out), "--mesh-size", "15mm", *extra]) == 0
+            command_line.main(["inflate", str(square), "--out", str(out), "--mesh-size", "25mm", *extra]) == 0
         )
         volumes.append(json.loads((out / "report.json").read_text())["inflated"]["volume_m3"])
     assert volumes[0] == pytest.approx(volumes[1], rel=1e-6)
@@ -132,7 +138,7 @@ def test_solvers_agree_through_the_command_line(square: Path, tmp_path: Path) ->
 def test_same_input_writes_the_same_bytes(square: Path, tmp_path: Path) -> None:
     for name in ("one", "two"):
         assert (
-            command_line.main(["inflate", str(square), "--out", str(tmp_path / name), "--mesh-size", "20mm"])
+            command_line.main(["inflate", str(square), "--out", str(tmp_path / name), "--mesh-size", "30mm"])
             == 0
         )
     for file in FILES - {"report.json"}:  # which holds the seconds
@@ -321,9 +327,10 @@ def test_hole_of_a_thin_handle_is_told_and_had_back_and_the_intake_is_low(tmp_pa
     picture = tmp_path / "mug.png"
     picture.write_bytes(png(coloured(drawn(mug, 400, 400, fine=2))[..., :3]))
     reports = {}
-    for name, options in {"auto": [], "shape": ["--drawn-as", "shape", "--intake-place", "low"]}.items():
+    shape = ["--drawn-as", "shape", "--intake-place", "low"]
+    for name, edge, options in (("auto", "30mm", []), ("shape", "14mm", shape)):
         target = tmp_path / name
-        size = ["--width", "300mm", "--mesh-size", "14mm", "--out", str(target)]
+        size = ["--width", "300mm", "--mesh-size", edge, "--out", str(target)]
         assert command_line.main(["inflate", str(picture), *size, *options]) == 0
         reports[name] = json.loads((target / "report.json").read_text(encoding="utf-8"))
     assert [reports[name]["input"]["holes"] for name in ("auto", "shape")] == [0, 1]

@@ -55,7 +55,7 @@ def test_all_that_is_told_is_translated(
     """A balloon with advice, a machine, a layout, a print, and a pressure that is too much for it."""
     monkeypatch.setattr(nesting, "PACKAGE", "no_such_package")  # rows: quick
     picture = str(PICTURES / "fish.png")
-    words = ["inflate", picture, "--width", "300mm", "--mesh-size", "16mm", "--out", str(tmp_path)]
+    words = ["inflate", picture, "--width", "300mm", "--mesh-size", "25mm", "--out", str(tmp_path)]
     options = "--material nylon-foil --pressure 20kPa --intake film-valve --drawn-as pen --nest 500mm"
     words += options.split()
     words += ["--artwork", picture, "--dpi", "40", "--machine", "inkscape"]

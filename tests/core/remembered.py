@@ -3,7 +3,7 @@
 
 A test that looks at the work itself, how it is stopped, shown or counted, is marked `works_out`, and one that
 puts something in the place of our code asks for `monkeypatch`. To those nothing is known, and nothing of
-theirs is kept.
+theirs is kept. What only stands in for an answer of the user is put there by `stand_in`.
 """
 
 from __future__ import annotations

@@ -41,7 +41,8 @@ ROOMS = ["geometry", "files", "options", "pages", "language", "arcs", "outline",
 ROOMS += ["panels", "mesh", "bags", "bodies", "targets", "segmentation", "seam_edits", "flattening"]
 ROOMS += ["solver", "design", "correction", "bag_design", "target_design", "results"]
 ROOMS += ["pattern", "bag_pattern", "nesting", "making"]
-ROOMS += ["machines", "pictures", "artwork", "assembly_sheet", "advice", "reports"]
+ROOMS += ["machines", "pictures", "artwork", "scenes", "assembly_sheet", "advice", "reports", "web_pages"]
+ROOMS += ["studies"]
 
 OPTIONAL = ["cv2", "scipy", "ezdxf", "shapely", "pythoncdt", "matplotlib", "PIL"]
 OPTIONAL += ["spyrrow", "distributed", "dask", "dask_jobqueue", "dask_kubernetes", "pyarrow"]

@@ -24,7 +24,7 @@ from BalloonWorkbench.core.pattern.label import with_label
 from BalloonWorkbench.core.pattern.marks import with_notches, with_tie_tab
 from BalloonWorkbench.core.solver.model import Model
 
-COUNT = int(os.environ.get("BALLOON_VALUES", "20"))
+COUNT = int(os.environ.get("BALLOON_VALUES", "14"))
 SECONDS = 60.0  # of processor time; a plain shell of two panels, corrected, takes 27
 
 _EDGES = (

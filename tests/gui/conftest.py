@@ -22,6 +22,7 @@ from remembered import remembered
 from BalloonWorkbench import app, gui
 from BalloonWorkbench.app.document import create
 from BalloonWorkbench.core import faults
+from BalloonWorkbench.gui.panels.balloon import body_rows
 from BalloonWorkbench.gui.window import file_dialogs
 
 
@@ -30,6 +31,7 @@ def workbench():
     """Our workbench, and a clean window afterwards."""
     Gui.activateWorkbench("BalloonWorkbench")
     Gui.Selection.clearSelection()
+    hands.QtGui.QCursor.setPos(0, 0)  # not over a 3D view, where what is below it lights up
     yield Gui.activeWorkbench()
     if hands.panel_is_open():
         hands.leave()
@@ -44,6 +46,18 @@ def known(request):
     """What tests before have worked out, but for those that look at the work itself."""
     with remembered(request.node):
         yield
+
+
+@pytest.fixture
+def stand_in(monkeypatch):
+    """Puts something in the place of what the window asks for; results stay what they are, and known."""
+    return monkeypatch
+
+
+@pytest.fixture
+def without_figures(monkeypatch):
+    """The panel of a body tells nothing that a thread has to count: bodies/test_figures.py looks at that."""
+    monkeypatch.setattr(body_rows, "body_figures", lambda *_given: None)
 
 
 @pytest.fixture(autouse=True)
@@ -120,7 +134,7 @@ def _opened(path, folder):
 def opened(made):
     """The panel of a finished balloon."""
     made.balloon.ViewObject.Proxy.doubleClicked(made.balloon.ViewObject)
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     return made
 
 
@@ -149,6 +163,8 @@ def _warm_up():
         for module in pkgutil.walk_packages(package.__path__, f"{package.__name__}."):
             importlib.import_module(module.name)
     hands.QtWidgets.QApplication.setEffectEnabled(hands.QtCore.Qt.UI_AnimateCombo, False)
+    # the camera is where it was sent: FreeCAD from 1.0 on has it fly there
+    App.ParamGet("User parameter:BaseApp/Preferences/View").SetBool("UseNavigationAnimations", False)
 
 
 _warm_up()

@@ -3,17 +3,23 @@
 
 import gc
 import os
+import threading
 import time
+from contextlib import contextmanager
 from pathlib import Path
 
 import FreeCADGui as Gui
 
 from BalloonWorkbench.app.host import qt
+from BalloonWorkbench.gui.long_work import blocking
+from BalloonWorkbench.gui.long_work.worker import Worker
 from BalloonWorkbench.gui.panels.widgets.fields import Fields
 from BalloonWorkbench.gui.panels.widgets.pages import Pages
 
 QtCore, QtGui, QtWidgets = qt()
 
+_PATIENCE = 3.0  # the load is a mean of the last minute
+_LARGE = 90  # of 100: a picture that is hardly packed takes a tenth of the time
 SCREENSHOTS = Path(f"build/screenshots{os.environ.get('SUITE', '')}")
 
 
@@ -25,19 +31,68 @@ def wait(seconds=0.1):
         time.sleep(0.005)
 
 
-def at_latest(seconds):
-    """When so many seconds of a machine without other work have passed, by time.monotonic()."""
+def patience(seconds):
+    """What these seconds of a machine without other work may take here at most.
+
+    A test that passes never waits for it: it ends what will not come.
+    """
     others = os.getloadavg()[0] / (os.cpu_count() or 1)  # programs for each core
-    return time.monotonic() + seconds * max(others, 1.0)
+    return _PATIENCE * seconds * max(others, 1.0)
 
 
-def wait_until(condition, seconds=60.0):
+def at_latest(seconds):
+    """When they have passed, by time.monotonic()."""
+    return time.monotonic() + patience(seconds)
+
+
+def wait_until(condition, seconds=60.0, otherwise="it never happened"):
     """Let the window live until something is so."""
-    end = at_latest(seconds)
+    end, pause = at_latest(seconds), 0.01
     while not condition():
-        assert time.monotonic() < end, "it never happened"
-        wait(0.02)
-    wait(0.05)
+        assert time.monotonic() < end, otherwise
+        wait(pause)
+        pause = min(1.5 * pause, 0.1)  # a look takes time from the work that is waited for
+    wait(0.02)
+
+
+@contextmanager
+def work_held():
+    """What threads begin meanwhile waits for the end of this, or to be stopped: so long it can be seen at
+    work, however quick it is and however slow the window. But for what the window itself waits for.
+    """
+    go, run = threading.Event(), Worker.run
+
+    def held(worker):
+        while not (go.is_set() or worker._stop or isinstance(worker.request, blocking._Job)):
+            time.sleep(0.005)
+        run(worker)
+
+    Worker.run = held
+    try:
+        yield
+    finally:
+        go.set()
+        Worker.run = run
+
+
+def can_be_used(widget):
+    """It is on the screen and takes clicks: a panel comes there a moment after it was opened."""
+    return widget.isVisible() and widget.isEnabled()
+
+
+def reach(widget):
+    """Wait until a widget can be used, as a hand does."""
+    if not can_be_used(widget):
+        wait_until(lambda: can_be_used(widget), 5, f"{widget.objectName()} cannot be used")
+
+
+def turn_to(widget):
+    """The same for one that may be on a page that is behind."""
+    if not widget.isVisible() and panel_is_open():
+        wait_until(panel_is_seen)
+    if not widget.isVisible() and visible(Pages):
+        show_tab(widget)
+    reach(widget)
 
 
 def visible(kind):
@@ -89,8 +144,7 @@ def show_tab(widget):
 def click(widget, x=None):
     """Press and release the left button in the middle of a widget, or x pixels from its left."""
     wait(0.02)
-    assert widget.isVisible(), f"{widget.objectName()} cannot be seen"
-    assert widget.isEnabled(), f"{widget.objectName()} cannot be used"
+    reach(widget)
     middle = widget.rect().center()
     at = QtCore.QPointF(middle if x is None else QtCore.QPoint(x, middle.y()))
     there = QtCore.QPointF(widget.mapToGlobal(at.toPoint()))
@@ -115,8 +169,8 @@ def key(widget, code, text=""):
 
 def type_into(widget, text, confirm=True):
     """Replace what a line edit or spin box holds, letter by letter."""
-    if widget.parent() is not None and not widget.isVisible():
-        show_tab(widget)
+    if widget.parent() is not None:
+        turn_to(widget)
     line = widget if isinstance(widget, QtWidgets.QLineEdit) else widget.findChild(QtWidgets.QLineEdit)
     line.setFocus()
     line.selectAll()
@@ -129,7 +183,7 @@ def type_into(widget, text, confirm=True):
 
 def choose(combo, text):
     """Take an entry of a combo box with the keyboard."""
-    show_tab(combo)
+    turn_to(combo)
     combo.setFocus()
     for _ in range(combo.count()):
         if combo.currentText() == text:
@@ -141,7 +195,7 @@ def choose(combo, text):
 
 
 def tick(box):
-    show_tab(box)
+    turn_to(box)
     click(box, x=8)
 
 
@@ -208,7 +262,7 @@ def message():
 def screenshot(name):
     """Save the screen and return it."""
     SCREENSHOTS.mkdir(parents=True, exist_ok=True)
-    wait(0.3)
+    wait(0.1)
     picture = QtWidgets.QApplication.primaryScreen().grabWindow(0)
-    assert picture.save(str(SCREENSHOTS / f"{name}.png"))
+    assert picture.save(str(SCREENSHOTS / f"{name}.png"), "PNG", _LARGE)
     return picture.toImage()

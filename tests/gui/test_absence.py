@@ -51,7 +51,7 @@ def bare(tmp_path_factory):
         capture_output=True,
         text=True,
         check=False,
-        timeout=120,
+        timeout=hands.patience(120),
         stdin=subprocess.DEVNULL,
     )
     return json.loads((folder / "seen.json").read_text(encoding="utf-8")), ended.stdout + ended.stderr
@@ -102,7 +102,7 @@ def test_start_loads_the_least(bare):
 
 def test_what_works_here_can_be_read(doc):
     Gui.runCommand("BalloonWorkbench_Equipment")
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     text = hands.find("Equipment").text()
     assert "Solver: native." in text
     assert "All packages are installed." in text

@@ -105,7 +105,7 @@ class Run:
         Gui.Selection.clearSelection()
         Gui.Selection.addSelection(self.doc.getObject(chosen))
         Gui.runCommand(f"BalloonWorkbench_{command}")
-        self.listener.settle(hands.panel_is_open)
+        self.listener.settle(hands.panel_is_seen)
 
     def close(self, button="Ok"):
         hands.press(button)
@@ -115,7 +115,7 @@ class Run:
         """The panel of the balloon."""
         view = self.doc.Balloon.ViewObject
         view.Proxy.doubleClicked(view)
-        self.listener.settle(hands.panel_is_open)
+        self.listener.settle(hands.panel_is_seen)
 
     def state(self):
         """What must be there, and unchanged as long as it is marked as stale."""
@@ -153,7 +153,7 @@ def recompute(run):
 def picture(run):
     balloons = len(run.doc.findObjects("Mesh::FeaturePython"))
     Gui.runCommand("BalloonWorkbench_FromPicture")
-    run.listener.settle(hands.panel_is_open)
+    run.listener.settle(hands.panel_is_seen)
     hands.click(hands.find("Live"), x=8)
     hands.type_into(hands.find("Drawing"), str(run.folder / f"shape{run.turn % 2}.png"))
     hands.type_into(hands.find("Width"), "12 cm")
@@ -234,7 +234,7 @@ def painting(run):
         brush.press("PaintSizeDone")
     brush.press("PaintMake")
     run.listener.settle(brush.is_closed)
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     hands.leave()
 
 
@@ -374,7 +374,7 @@ def test_no_fault_of_the_engine_ends_the_window(do, listener, folder, rectangle_
             place, nth, error = places[tried]
             what = f"{place}, call {nth}, {error.__name__}"
             sys.__stdout__.write(f"{do.__name__}: {what}\n")
-            faulthandler.dump_traceback_later(_FROZEN, exit=True, file=sys.__stderr__)
+            faulthandler.dump_traceback_later(hands.patience(_FROZEN), exit=True, file=sys.__stderr__)
             run = run or Run(listener, folder, rectangle_file)
             try:
                 try_one(do, run, engine, place, nth, error)

@@ -20,7 +20,9 @@ def written(tmp_path_factory):
     heart = "resources/examples/pictures/heart.png"
     options = [heart, "--width", "120mm", "--mesh-size", "14mm", "--out", str(folder / "out")]
     environment = {**os.environ, "FREECAD_USER_HOME": str(folder)}
-    subprocess.run([*command, *options], check=True, env=environment, capture_output=True, timeout=120)
+    subprocess.run(
+        [*command, *options], check=True, env=environment, capture_output=True, timeout=hands.patience(120)
+    )
     return folder / "out" / "balloon.FCStd"
 
 
@@ -64,7 +66,7 @@ def test_pattern_has_the_colours_of_its_layers(doc):
 
 def test_double_click_edits_it(doc):
     doc.Balloon.ViewObject.Proxy.doubleClicked(doc.Balloon.ViewObject)
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     assert hands.find("Drawing").text() == "heart.png"
     hands.type_into(hands.find("Pressure"), "3 kPa")
     hands.press("Ok")

@@ -37,7 +37,7 @@ def test_a_painted_balloon_is_made_once(window):
 def test_a_panel_makes_what_is_changed_once(made):
     with counted() as done:
         made.balloon.ViewObject.Proxy.doubleClicked(made.balloon.ViewObject)
-        hands.wait_until(hands.panel_is_open)
+        hands.wait_until(hands.panel_is_seen)
         hands.wait(0.5)
         assert not done["trace"] + done["design"] + done["report"]
         assert done["pattern"] <= 1  # for what it takes to make it, in a file that was just opened

@@ -31,13 +31,13 @@ def test_every_option_with_a_label_has_a_field(opened):
         assert field.toolTip() == item.tooltip, item.name
 
 
-def test_an_entry_is_a_field_that_writes(opened, monkeypatch):
+def test_an_entry_is_a_field_that_writes(opened, stand_in):
     """With its label, tooltip, unit, range and choices."""
     more = properties_of(MoreOptions)
     obj = opened.pattern
     add_missing(obj, more)
     offer_choices(obj, more)
-    monkeypatch.setattr(pattern_box, "PROPERTIES", (*pattern_box.PROPERTIES, *more))
+    stand_in.setattr(pattern_box, "PROPERTIES", (*pattern_box.PROPERTIES, *more))
     sparkle, grains, glow = (hands.find(item.name) for item in more)
     hands.show_tab(sparkle)
     assert sparkle.toolTip() == "How wide the glitter is strewn"

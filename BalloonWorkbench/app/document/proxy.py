@@ -6,6 +6,7 @@ from __future__ import annotations
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.border.guard import Guarded
 from BalloonWorkbench.app.document import arrange, migrate, sources
+from BalloonWorkbench.app.properties import expression_units
 from BalloonWorkbench.app.properties.property_table import add_missing, offer_choices
 from BalloonWorkbench.core.errors import InputError
 
@@ -41,6 +42,7 @@ class DocumentProxy(Stateless):
         with status.reported(obj, status.has_result(obj)):
             if sources.follows_itself(obj):
                 raise InputError(f"{obj.Label} follows itself: choose something that is not made of it.")
+            expression_units.check(obj, self.properties)
             self.compute(obj)
 
     def compute(self, obj):

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import argparse
 
-from BalloonWorkbench.core.studies.job import CLUSTERS, FILES, MOST_ROWS, REPORT, TIMEOUT, WHOLE
+from BalloonWorkbench.core.studies.job import CLUSTERS, KEPT, MOST_ROWS, TIMEOUT, WHOLE
 from BalloonWorkbench.core.studies.runners.job_scripts import SCRIPTS
 
 STUDY = "study"
@@ -24,8 +24,9 @@ def add_study(command: argparse.ArgumentParser) -> None:
     )
     command.add_argument(
         "--keep",
-        choices=(REPORT, FILES),
-        help="of each balloon: the report or all files (default as the study says, else the report)",
+        choices=KEPT,
+        help="of each balloon: the report, that with a small picture for the page, or all files (default"
+        " as the study says, else the report)",
     )
     command.add_argument(
         "--timeout",

@@ -6,6 +6,7 @@ from __future__ import annotations
 import argparse
 import os
 import sys
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -13,8 +14,10 @@ from typing import Any
 from BalloonWorkbench.cli import console
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.files.data_file import read_data
+from BalloonWorkbench.core.language.speech import chosen_language
 from BalloonWorkbench.core.studies.folder import StudyFolder
 from BalloonWorkbench.core.studies.job import WHOLE, Finished, Runner
+from BalloonWorkbench.core.studies.page import write_page
 from BalloonWorkbench.core.studies.read_study import read_study
 from BalloonWorkbench.core.studies.run import plan_study, run_study
 from BalloonWorkbench.core.studies.runners.dask_runner import DaskRunner
@@ -42,7 +45,8 @@ def run(options: argparse.Namespace, say: Say) -> int:
     if options.collect:
         folder = StudyFolder(options.out)
         with folder.in_use():
-            return _show([say(f"Wrote {path}") for path in write_table(study, folder)])
+            paths = [*write_table(study, folder), _page(study, options, say)]
+            return _show([say(f"Wrote {path}") for path in paths])
     line = console.StatusLine(sys.stderr)
 
     def observe(done: int, of: int, _last: Finished | None) -> None:
@@ -57,7 +61,18 @@ def run(options: argparse.Namespace, say: Say) -> int:
     lines += [f"- {say(sentence)}" for sentence in [*dict.fromkeys(outcome.failures.values())][:_SHOWN]]
     if options.shard != WHOLE:
         lines.append(say("When all shards are done, --collect writes the table."))
-    return _show([*lines, *(say(f"Wrote {path}") for path in outcome.tables)])
+        return _show(lines)
+    page = _page(study, options, say, outcome.failures)
+    return _show([*lines, *(say(f"Wrote {path}") for path in (*outcome.tables, page))])
+
+
+def _page(
+    study: Study, options: argparse.Namespace, say: Say, failures: Mapping[str, str] | None = None
+) -> Path:
+    """Write the web page of a study."""
+    title = console.readable(Path(options.study).stem).capitalize()
+    language = chosen_language(options.language, os.environ)
+    return write_page(study, StudyFolder(options.out), title, failures, language, say)
 
 
 def _runner(options: argparse.Namespace, settings: dict[str, Any]) -> Runner:

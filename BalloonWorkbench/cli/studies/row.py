@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import argparse
 import json
 import tempfile
 from collections.abc import Mapping
@@ -12,14 +13,15 @@ from typing import Any
 from BalloonWorkbench.cli import command_line
 from BalloonWorkbench.cli.options import parser
 from BalloonWorkbench.core.job import report_bytes
+from BalloonWorkbench.core.shared.sharing import small_png
 from BalloonWorkbench.core.studies.folder import REPORT as NAME
-from BalloonWorkbench.core.studies.job import FILES
+from BalloonWorkbench.core.studies.job import FILES, PICTURE, PICTURES
 
 
 def make(request: Mapping[str, Any]) -> dict[str, bytes]:
     """The files of a balloon by name. Raises BalloonError.
 
-    request  arguments: of the command line, but for --out; keep: REPORT or FILES
+    request  arguments: of the command line, but for --out; keep: one of KEPT (core/studies/job.py)
     """
     with tempfile.TemporaryDirectory() as folder:
         options = parser().parse_args([*request["arguments"], f"--out={folder}"])
@@ -27,7 +29,7 @@ def make(request: Mapping[str, Any]) -> dict[str, bytes]:
             command_line.run_quietly(options)
             contents = {path.name: path.read_bytes() for path in sorted(Path(folder).iterdir())}
         else:
-            contents = {NAME: command_line.report_alone(options)}
+            contents = _report(options, pictured=request["keep"] == PICTURES)
     if NAME in contents:
         contents[NAME] = report_bytes(_without_times(json.loads(contents[NAME])))
     return contents
@@ -38,3 +40,10 @@ def _without_times(data: Any) -> Any:
     if isinstance(data, dict):
         return {name: _without_times(value) for name, value in data.items() if name != "seconds"}
     return [_without_times(each) for each in data] if isinstance(data, list) else data
+
+
+def _report(options: argparse.Namespace, *, pictured: bool) -> dict[str, bytes]:
+    """The report alone, or with a small picture."""
+    balloon = command_line.balloon_alone(options)
+    contents = {NAME: report_bytes(balloon.report)}
+    return contents | ({PICTURE: small_png(balloon)} if pictured else {})

@@ -57,7 +57,7 @@ def fit_curve(points: Floats, closed: bool, tolerance: float = TOLERANCE) -> Cur
     return Curve(np.array(joints), curve.bulges, curve.closed)
 
 
-@memoized(most=64)  # shape, check and file of a pattern ask for the same ones
+@memoized(most=1024)  # shape, check and file of a pattern ask for the same ones, of many panels hundreds
 def _uncrossed(points: Floats, closed: bool, tolerance: float) -> Curve:
     """The curve, of a polyline that does not cross itself one that does not either."""
     curve = _fit(points, closed, tolerance)

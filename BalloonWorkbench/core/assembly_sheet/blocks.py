@@ -15,7 +15,7 @@ from BalloonWorkbench.core.units import from_mm, length_text, number_text
 
 MARGIN = 13.0
 BAR = 50.0
-_NAMES = {
+_LINES = {
     Role.CUT: "cut",
     Role.CUT_INNER: "cut inside",
     Role.NOTCH: "notch",
@@ -40,10 +40,15 @@ def draw_head(pen: Pen, title: str, subtitle: str, right: float, top: float) -> 
     pen.axes.plot([MARGIN, right], [top - 14.6, top - 14.6], color=ACCENT, lw=1.6, solid_capstyle="butt")
 
 
+def line_names(seam: str) -> dict[Role, str]:
+    """What the lines of a pattern are called, by their role; seam: what the film's seam is called."""
+    return {**_LINES, Role.SEAL: seam, Role.WELD: f"{seam} inside"}
+
+
 def draw_legend(pen: Pen, roles: Sequence[Role], seam: str, start: tuple[float, float], right: float) -> None:
     """What the lines are; in a second row below what has no room in the first."""
     x, y = start
-    names = {**_NAMES, Role.SEAL: seam, Role.WELD: f"{seam} inside"}
+    names = line_names(seam)
     for role in roles:
         if role not in names:
             continue

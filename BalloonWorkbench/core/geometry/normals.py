@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How loops run and bend: normals, and the points that are corners."""
+"""How loops and surfaces run and bend: normals, and the points that are corners."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from BalloonWorkbench.core.geometry.polyline import arc_lengths, edge_vectors, point_at
 from BalloonWorkbench.core.geometry.vectors import perpendicular, turn, unit
-from BalloonWorkbench.core.types import Floats
+from BalloonWorkbench.core.types import Floats, Ints
 
 #: A turn sharper than this is a corner: well above the facets of a flattened curve, below an octagon's 45
 #: degrees.
@@ -29,6 +29,17 @@ def left_normals(loop: Floats, smoothed: int = 0) -> Floats:
     for _ in range(smoothed):
         along = 2.0 * along + np.roll(along, -1, axis=0) + np.roll(along, 1, axis=0)
     return unit(perpendicular(along))
+
+
+def vertex_normals(positions: Floats, triangles: Ints) -> Floats:
+    """Unit normals (n, 3) of the vertices of a surface in space, weighted by area."""
+    a, b, c = (positions[triangles[:, k]] for k in range(3))
+    weighted = np.cross(b - a, c - a)
+    normals: Floats = np.stack(
+        [np.bincount(triangles.ravel(), np.repeat(weighted[:, k], 3), len(positions)) for k in range(3)],
+        axis=1,
+    )
+    return unit(normals)
 
 
 def turns(loop: Floats, reach: float = 0.0) -> Floats:

@@ -59,6 +59,11 @@ def users_language(environment: Mapping[str, str]) -> str:
         return ENGLISH
 
 
+def chosen_language(name: str | None, environment: Mapping[str, str]) -> str:
+    """The language that is named, else that of the environment. InputError for one that is not here."""
+    return users_language(environment) if name is None else language_named(name)
+
+
 @cache
 def speech(language: str) -> Say:
     """A function that says a text of the engine in a language; what it does not know stays English."""

@@ -12,6 +12,8 @@ MAKING, ARTWORK, SHEET = Section("Making"), Section("Artwork"), Section("Film", 
 #: What becomes of a pattern that is larger than the bed: no file, the file all the same, a smaller balloon.
 REFUSE, WRITE, SCALE = "refuse", "write", "scale"
 MOST_BALLOONS = 100
+#: As what a report may be written beside report.json.
+HTML = "html"
 
 
 # fmt: off
@@ -92,3 +94,14 @@ class AssemblyOptions:
 
     assembly: str | None = MAKING(Kind.CHOICE, None, "Write an assembly sheet on this paper", prop="",
         choices={"A4": "", "Letter": ""})
+
+
+@dataclass(frozen=True)
+class SharingOptions:
+    """What shows the balloon to others."""
+
+    glb: bool = MAKING(Kind.FLAG, False,
+        "Also write the balloon with its artwork as balloon.glb, for 3D programs and web pages", prop="")
+    report: str | None = MAKING(Kind.CHOICE, None,
+        "Also write one web page with the balloon in 3D, its numbers and its pattern, which needs no network",
+        prop="", choices={HTML: ""})

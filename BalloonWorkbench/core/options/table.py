@@ -11,6 +11,7 @@ from BalloonWorkbench.core.options.making import (
     AssemblyOptions,
     MachineOptions,
     ResultOptions,
+    SharingOptions,
     SheetOptions,
     WeldingOptions,
 )
@@ -36,6 +37,7 @@ DECLARED: tuple[type, ...] = (
     WeldingOptions,
     ResultOptions,
     AssemblyOptions,
+    SharingOptions,
     ArtworkOptions,
     SheetOptions,
 )

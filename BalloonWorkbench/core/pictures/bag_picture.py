@@ -10,10 +10,18 @@ import numpy as np
 from BalloonWorkbench.core.bag_design.bag_design import BagDesign
 from BalloonWorkbench.core.bags.seam_colours import seam_colour
 from BalloonWorkbench.core.bodies.profile import Profile
+from BalloonWorkbench.core.geometry.normals import vertex_normals
 from BalloonWorkbench.core.geometry.polyline import extent
 from BalloonWorkbench.core.geometry.vectors import unit
 from BalloonWorkbench.core.panels.seam import Run
-from BalloonWorkbench.core.pictures.render import FILM_COLOUR, Coloured, normals_of, rgb, surface_picture
+from BalloonWorkbench.core.pictures.render import (
+    FILM_COLOUR,
+    INNER_SHADE,
+    Coloured,
+    rgb,
+    surface_picture,
+    together,
+)
 from BalloonWorkbench.core.targets.target import Division
 from BalloonWorkbench.core.types import Floats, Ints
 
@@ -21,8 +29,8 @@ from BalloonWorkbench.core.types import Floats, Ints
 _RIBBON, _ABOVE = 0.011, 0.004
 #: The ends of names of files in which y is up.
 _Y_UP = ".obj"
-#: The inner side of film, where it is seen; how far a seam above or below turns toward the eye.
-_INNER, _LEAN = 0.55, 0.8
+#: How far a seam above or below turns toward the eye.
+_LEAN = 0.8
 
 
 def bag_picture(
@@ -55,7 +63,7 @@ def bag_picture(
         for run in _runs(design, number):
             if run.panel in shown:
                 parts.append(_ribbon(design, places, run, rgb(of_seam)))
-    return surface_picture(_together(parts), width, height)
+    return surface_picture(together(parts), width, height)
 
 
 def upright(design: BagDesign) -> Floats:
@@ -79,7 +87,7 @@ def _turned(design: BagDesign, places: Floats, number: int) -> Floats:
     """The balloon turned about its upright axis, and a little over, until a seam is in front."""
     middle = 0.5 * (places.min(axis=0) + places.max(axis=0))
     x, y, z = sum(
-        _panel(design, places, run.panel)[2][run.vertices[len(run.vertices) // 2]]
+        panel_surface(design, places, run.panel)[2][run.vertices[len(run.vertices) // 2]]
         for run in _runs(design, number)
     )
     around, over = np.arctan2(x, z), -_LEAN * np.arctan2(y, np.hypot(x, z))
@@ -89,7 +97,7 @@ def _turned(design: BagDesign, places: Floats, number: int) -> Floats:
     return np.asarray((places - middle) @ (about_x @ about_y).T)
 
 
-def _panel(design: BagDesign, places: Floats, number: int) -> tuple[Floats, Ints, Floats]:
+def panel_surface(design: BagDesign, places: Floats, number: int) -> tuple[Floats, Ints, Floats]:
     """Places, triangles and normals of a panel, seen from outside."""
     assembly = design.inflation.assembly
     start = assembly.offsets[number]
@@ -97,22 +105,24 @@ def _panel(design: BagDesign, places: Floats, number: int) -> tuple[Floats, Ints
     own = places[start : start + len(panel.rest_positions)]
     over = bool(assembly.surface.turned[number])
     triangles = panel.triangles[:, ::-1] if over else panel.triangles
-    return own, triangles, normals_of(own, triangles)
+    return own, triangles, vertex_normals(own, triangles)
 
 
 def _film(design: BagDesign, places: Floats, number: int, film: Floats, *, inside: bool) -> Coloured:
     """The film of a panel in the colours of all vertices; inside: its other side is seen as well."""
-    own, triangles, normals = _panel(design, places, number)
+    own, triangles, normals = panel_surface(design, places, number)
     start = design.inflation.assembly.offsets[number]
     film = film[start : start + len(own)]
     if not inside:
         return own, triangles, normals, film
-    return _together([(own, triangles, normals, film), (own, triangles[:, ::-1], -normals, _INNER * film)])
+    return together(
+        [(own, triangles, normals, film), (own, triangles[:, ::-1], -normals, INNER_SHADE * film)]
+    )
 
 
 def _ribbon(design: BagDesign, places: Floats, run: Run, colour: Floats) -> Coloured:
     """A strip of a panel along a seam, a hair over the film on both its sides."""
-    own, _, normals = _panel(design, places, run.panel)
+    own, _, normals = panel_surface(design, places, run.panel)
     size = extent(places)
     line, up = own[run.vertices], normals[run.vertices]
     along = np.gradient(line, axis=0)
@@ -134,14 +144,4 @@ def _ribbon(design: BagDesign, places: Floats, run: Run, colour: Floats) -> Colo
         parts.append(
             (points, quads.astype(np.int32), side * np.tile(up, (2, 1)), np.tile(colour, (2 * n, 1)))
         )
-    return _together(parts)
-
-
-def _together(parts: list[Coloured]) -> Coloured:
-    starts = np.cumsum([0, *(len(part[0]) for part in parts)])
-    return (
-        np.concatenate([part[0] for part in parts]),
-        np.concatenate([part[1] + start for part, start in zip(parts, starts)]).astype(np.int32),
-        np.concatenate([part[2] for part in parts]),
-        np.concatenate([part[3] for part in parts]),
-    )
+    return together(parts)

@@ -3,28 +3,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from BalloonWorkbench.core.geometry.normals import left_normals
 from BalloonWorkbench.core.geometry.polyline import bounds
 from BalloonWorkbench.core.geometry.raster import covered
 from BalloonWorkbench.core.geometry.triangulation import signed_areas
-from BalloonWorkbench.core.geometry.vectors import unit
+from BalloonWorkbench.core.pictures.two_panels import two_panel_surfaces
 from BalloonWorkbench.core.solver.inflation import Inflation
-from BalloonWorkbench.core.solver.split_along_welds import split_along_welds
 from BalloonWorkbench.core.types import Bools, Floats, Ints
 
 _YAW, _PITCH = np.radians(-28.0), np.radians(14.0)
 #: Distance of the eye in sizes of the balloon.
 _EYE = 3.6
 _OVERSAMPLING = 2
-#: Of film that has no colour of its own, and how much darker a weld is.
+#: Of film that has no colour of its own, and how much darker a weld and the inner side of film are.
 FILM_COLOUR = "#db1f38"
-_WELD = 0.9
+WELD_SHADE, INNER_SHADE = 0.9, 0.55
 #: Positions (n, 3) m, triangles (m, 3), unit normals (n, 3) and colours (n, 3) of vertices.
 Coloured = tuple[Floats, Ints, Floats, Floats]
+#: Gives colours (k, 3) for what stands in the place of colours, between the vertices.
+ColourAt = Callable[[Floats], Floats]
 
 
 def balloon_picture(
@@ -37,8 +37,11 @@ def balloon_picture(
     return surface_picture(_surface(inflations, seal_width, rgb(colour)), width, height)
 
 
-def surface_picture(surface: Coloured, width: int, height: int) -> Floats:
-    """RGBA (height, width, 4) of a surface over its soft shadow; y is up, z to the eye."""
+def surface_picture(surface: Coloured, width: int, height: int, painting: ColourAt | None = None) -> Floats:
+    """RGBA (height, width, 4) of a surface over its soft shadow; y is up, z to the eye.
+
+    painting  gives the colours of places between vertices, from what these have instead of colours
+    """
     size = np.array([width, height]) * _OVERSAMPLING
     positions, triangles, normals, colours = surface
     middle = 0.5 * (positions.min(axis=0) + positions.max(axis=0))
@@ -70,7 +73,10 @@ def surface_picture(surface: Coloured, width: int, height: int) -> Floats:
     facing = _facing_viewer(to_pixels(flat), triangles)
     drawn = _rasterised(to_pixels(flat), seen[:, 2], triangles[facing], attributes, image.shape)
     hit = np.abs(drawn[..., :3]).sum(axis=-1) > 0.0
-    image[hit, :3] = _lit(drawn[hit])
+    shown = drawn[hit]
+    if painting is not None:
+        shown[:, 3:6] = painting(shown[:, 3:6])
+    image[hit, :3] = _lit(shown)
     image[hit, 3] = 1.0
     return _reduced(image)
 
@@ -82,56 +88,29 @@ def rgb(colour: str) -> Floats:
 
 def _surface(inflations: Sequence[Inflation], seal_width: float, film: Floats) -> Coloured:
     """Positions, triangles, vertex normals and colours of both halves and of the weld around them."""
-    mirror = np.array([1.0, 1.0, -1.0])
-    parts: list[Coloured] = []
-    start = 0
-    for inflation in inflations:
-        panel, origin = split_along_welds(inflation.panel)
-        upper, top = panel.triangles, inflation.positions[origin]
-        up, count = normals_of(top, upper), len(top)
-        parts.append((top, upper + start, up, film))
-        parts.append((top * mirror, upper[:, ::-1] + start + count, up * mirror, film))
-        start += 2 * count
-        for seam in panel.loops:
-            for side in (-1.0, 1.0):
-                parts.append((*_weld(top[seam, :2], seal_width, start, side), _WELD * film))
-                start += 2 * len(seam)
-    return (
-        np.concatenate([part[0] for part in parts]),
-        np.concatenate([part[1] for part in parts]),
-        np.concatenate([part[2] for part in parts]),
-        np.concatenate([np.broadcast_to(part[3], part[0].shape) for part in parts]),
-    )
-
-
-def _weld(rim: Floats, width: float, start: int, side: float) -> tuple[Floats, Ints, Floats]:
-    """The flat band outside a rim (k, 2), seen from the front (side 1) or from the back (-1)."""
-    outward = -left_normals(rim, smoothed=2)
-    points = np.zeros((2 * len(rim), 3))
-    points[:, :2] = np.concatenate([rim, rim + width * outward])
-    inner = np.arange(len(rim))
-    following = np.roll(inner, -1)
-    outer, outer_following = inner + len(rim), following + len(rim)
-    quads = np.concatenate(
+    parts = [part for inflation in inflations for part in two_panel_surfaces(inflation, seal_width)]
+    return together(
         [
-            np.stack([inner, outer, outer_following], axis=1),
-            np.stack([inner, outer_following, following], axis=1),
+            (
+                part.positions,
+                part.triangles,
+                part.normals,
+                np.tile(WELD_SHADE * film if part.weld else film, (len(part.positions), 1)),
+            )
+            for part in parts
         ]
     )
-    if side < 0.0:
-        quads = quads[:, ::-1]
-    return points, (quads + start).astype(np.int32), np.tile([0.0, 0.0, side], (2 * len(rim), 1))
 
 
-def normals_of(positions: Floats, triangles: Ints) -> Floats:
-    """Unit normals (n, 3) of the vertices of a surface."""
-    a, b, c = (positions[triangles[:, k]] for k in range(3))
-    weighted = np.cross(b - a, c - a)
-    normals: Floats = np.stack(
-        [np.bincount(triangles.ravel(), np.repeat(weighted[:, k], 3), len(positions)) for k in range(3)],
-        axis=1,
+def together(parts: Sequence[Coloured]) -> Coloured:
+    """Several surfaces as one."""
+    starts = np.cumsum([0, *(len(part[0]) for part in parts)])
+    return (
+        np.concatenate([part[0] for part in parts]),
+        np.concatenate([part[1] + start for part, start in zip(parts, starts)]).astype(np.int32),
+        np.concatenate([part[2] for part in parts]),
+        np.concatenate([part[3] for part in parts]),
     )
-    return unit(normals)
 
 
 def _rotation() -> Floats:

@@ -15,7 +15,7 @@ from BalloonWorkbench.core.flattening.conformal import own_planes
 from BalloonWorkbench.core.results.film_state import State, film_state
 from BalloonWorkbench.core.solver.element.dkt import gradients
 from BalloonWorkbench.core.target_design.curved_film import curved_film
-from BalloonWorkbench.core.target_design.off_target import TargetSurface, both_ways, clearances
+from BalloonWorkbench.core.target_design.off_target import TargetSurface, both_ways
 from BalloonWorkbench.core.targets.target import Division
 from BalloonWorkbench.core.types import Floats
 
@@ -66,7 +66,7 @@ def body_figures(design: BagDesign, film: Film) -> BodyFigures | None:
     shares = state.shares()
     body = TargetSurface(division.target)
     curved = curved_film(design.inflation.positions, design.inflation.directors, surface)
-    inmost, outmost = clearances(body, *curved)
+    from_film, from_body, (inmost, outmost) = both_ways(body, *curved)
     return BodyFigures(
         _strain(strains, areas),
         tuple(_strain(strains[own], areas[own]) for own in panels),
@@ -75,7 +75,8 @@ def body_figures(design: BagDesign, film: Film) -> BodyFigures | None:
         float(state.intensity @ state.areas / state.areas.sum()),
         inmost,
         outmost,
-        *both_ways(body, *curved),
+        from_film,
+        from_body,
     )
 
 

@@ -6,6 +6,7 @@
 3. working them out, wherever                       runners, run.py
 4. one folder a balloon, all or nothing             folder.py
 5. one table                                        results.py, table.py
+6. one web page                                     page.py
 
 What works out a job is a module that `Job.task` names: `make(request)` gives the contents of its files by
 name, `report.json` among them. That of a balloon is cli/studies/row.py.

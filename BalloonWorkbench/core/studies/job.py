@@ -10,8 +10,11 @@ from typing import Any, Protocol
 
 #: What works out a balloon of the command line's options.
 BALLOON = "BalloonWorkbench.cli.studies.row"
-#: What is kept of a balloon: its report, or all files that the command line writes.
-REPORT, FILES = "report", "files"
+#: What is kept of a balloon: its report, that and a small picture, or all files that the command line writes.
+REPORT, PICTURES, FILES = "report", "pictures", "files"
+KEPT = (REPORT, PICTURES, FILES)
+#: The file of a small picture.
+PICTURE = "small.png"
 #: More rows than this are an accident, unless it is said that they are not.
 MOST_ROWS = 1_000_000
 TIMEOUT = 3600.0  # s for one job

@@ -15,7 +15,7 @@ from BalloonWorkbench.core import packages
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.studies.axes import Axis, Between
 from BalloonWorkbench.core.studies.columns import INPUT, SEPARATOR
-from BalloonWorkbench.core.studies.job import FILES, MOST_ROWS, REPORT
+from BalloonWorkbench.core.studies.job import KEPT, MOST_ROWS, REPORT
 
 LATIN, RANDOM = "latin-hypercube", "random"
 
@@ -29,7 +29,7 @@ class Study:
 
     columns  in the order of the table
     rows     each a mapping from column to value, as it was written; may be worked out when it is asked for
-    keep     of each balloon: REPORT, or FILES for all that the command line writes
+    keep     of each balloon: one of KEPT (job.py)
     folder   from which files are looked for
     """
 
@@ -41,8 +41,8 @@ class Study:
     def __post_init__(self) -> None:
         if INPUT not in self.columns:
             raise InputError("The study has no inputs: give it a column 'input' with the names of drawings.")
-        if self.keep not in (REPORT, FILES):
-            raise InputError(f"'{self.keep}' cannot be kept: write {REPORT} or {FILES}.")
+        if self.keep not in KEPT:
+            raise InputError(f"'{self.keep}' cannot be kept: write {', '.join(KEPT[:-1])} or {KEPT[-1]}.")
         if not len(self.rows):
             raise InputError("The study has no rows.")
 

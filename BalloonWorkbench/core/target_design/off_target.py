@@ -101,15 +101,17 @@ def target_residual(surface: TargetSurface, points: Floats, triangles: Ints) -> 
     The larger of both ways: film that lies on the body all over may leave out a part of it. Film: as
     curved_film gives it.
     """
-    there, back = both_ways(surface, points, triangles)
+    there, back, _ = both_ways(surface, points, triangles)
     return Residual(max(there.mean, back.mean), max(there.p95, back.p95), max(there.max, back.max))
 
 
-def both_ways(surface: TargetSurface, points: Floats, triangles: Ints) -> tuple[Residual, Residual]:
-    """How far the film is from the target, and the target from the film, each by its area [m]."""
-    film = NearestSurface(points, triangles)
-    there = film_residual(surface.off(points).distances, points, triangles)
-    return there, film_residual(film.query(surface.samples.points).distances, *surface.samples[:2])
+def both_ways(
+    surface: TargetSurface, points: Floats, triangles: Ints
+) -> tuple[Residual, Residual, tuple[float, float]]:
+    """How far the film is from the target, and the target from the film, each by its area; clearances [m]."""
+    there, back = _apart(surface, points, triangles)
+    residuals = film_residual(there, points, triangles), film_residual(back, *surface.samples[:2])
+    return *residuals, _clearances(there, back, triangles)
 
 
 def clearances(surface: TargetSurface, points: Floats, triangles: Ints) -> tuple[float, float]:
@@ -117,7 +119,15 @@ def clearances(surface: TargetSurface, points: Floats, triangles: Ints) -> tuple
 
     Both ways, as in target_residual: a body that comes through the film between its vertices counts, too.
     """
+    return _clearances(*_apart(surface, points, triangles), triangles)
+
+
+def _apart(surface: TargetSurface, points: Floats, triangles: Ints) -> tuple[Floats, Floats]:
+    """How far the film's points (n,) are from the target, and the target's samples (k,) from the film [m]."""
     film = NearestSurface(points, triangles)
-    there = surface.off(points[np.unique(triangles)]).distances
-    away = np.concatenate([there, -film.query(surface.samples.points).distances])
+    return surface.off(points).distances, film.query(surface.samples.points).distances
+
+
+def _clearances(there: Floats, back: Floats, triangles: Ints) -> tuple[float, float]:
+    away = np.concatenate([there[np.unique(triangles)], -back])
     return float(away.min()), float(away.max())

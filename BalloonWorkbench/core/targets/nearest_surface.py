@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from BalloonWorkbench.core.checkpoint import checkpoint
 from BalloonWorkbench.core.geometry.nearest import kd_tree
 from BalloonWorkbench.core.geometry.vectors import unit
 from BalloonWorkbench.core.targets.half_edges import Indices, area_vectors
@@ -79,6 +80,7 @@ class NearestSurface:
             if np.isfinite(best).all():
                 waiting = np.flatnonzero(tree.query(places)[0] - radius < best)
             while len(waiting):
+                checkpoint()
                 count = min(count, len(own))
                 away, near = tree.query(places[waiting], k=np.arange(1, count + 1))
                 self._improve(places, waiting, own[near], best, triangle)

@@ -25,7 +25,7 @@ from BalloonWorkbench.core.nesting import nest as nesting
 
 HEART = Path("resources/examples/pictures/heart.png").resolve()
 OLDER = Path("tests/resources/documents/0.1.0-freecad-0.20.FCStd").resolve()
-STORIES = int(os.environ.get("BALLOON_ARRANGE_STORIES", "3"))
+STORIES = int(os.environ.get("BALLOON_ARRANGE_STORIES", "1"))
 QUICK = {"correct": False, "mesh_size": 14, "intake": False}
 
 

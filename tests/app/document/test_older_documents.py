@@ -75,7 +75,7 @@ App.closeDocument(document.Name)  # FreeCAD 1.1 crashes when it closes a mesh at
         capture_output=True,
         text=True,
         check=False,
-        timeout=60,
+        timeout=600,
         stdin=subprocess.DEVNULL,
         cwd=tmp_path,
     )

@@ -23,7 +23,7 @@ CUT = '{"do": "cut", "at": [[0, -50, 50], [0, 50, 50]], "mirrored": false}'
 def divided(doc, source, **named):
     """The object alone: nothing is inflated."""
     parts = create.make(doc, "Body", "Target")
-    parts.outline.Solid = source
+    parts.outline.Solid, parts.balloon.Live = source, False
     values.assign(parts, named)
     parts.outline.recompute()
     return parts.outline

@@ -31,7 +31,7 @@ def solid(doc, shape, name="Solid"):
 def divided(doc, source, panels=0):
     """The object alone: nothing is inflated."""
     parts = create.make(doc, "Body", "Target")
-    parts.outline.Solid = source
+    parts.outline.Solid, parts.balloon.Live = source, False
     parts.outline.Panels = panels
     parts.outline.recompute()
     return parts.outline
@@ -44,7 +44,7 @@ def cube():
     box = document.addObject("Part::Box", "Box")
     box.Length = box.Width = box.Height = 100
     document.recompute()
-    yield BalloonWorkbench.from_body(document, box, mesh_size=8, mode="Inflate as drawn")
+    yield BalloonWorkbench.from_body(document, box, mesh_size=14, mode="Inflate as drawn")
     App.closeDocument(document.Name)
 
 
@@ -54,7 +54,7 @@ def test_a_cube_is_made_of_its_faces(cube):
     assert cube.outline.SeamLength.Value == pytest.approx(1200)
     assert cube.outline.BodyVolume.getValueAs("l").Value == pytest.approx(1.0)
     # inextensible film: 1.26 times the volume of the cube
-    assert cube.balloon.Volume.getValueAs("l").Value == pytest.approx(1.26, rel=0.02)
+    assert cube.balloon.Volume.getValueAs("l").Value == pytest.approx(1.26, rel=0.04)
     assert len(BalloonWorkbench.panels(cube)) == 6
 
 
@@ -63,7 +63,7 @@ def test_it_follows_the_solid(cube):
     box.Height = 200
     box.Document.recompute()
     assert cube.outline.BodyVolume.getValueAs("l").Value == pytest.approx(2.0)
-    assert cube.balloon.Volume.getValueAs("l").Value == pytest.approx(2.532, rel=0.02)
+    assert cube.balloon.Volume.getValueAs("l").Value == pytest.approx(2.532, rel=0.04)
     box.Height = 100
     box.Document.recompute()
 
@@ -186,8 +186,8 @@ def test_a_cone_inflates_to_its_closed_form(doc):
     cone = doc.addObject("Part::Cone", "Cone")
     cone.Radius1, cone.Radius2, cone.Height = 100, 0, 100
     doc.recompute()
-    parts = BalloonWorkbench.from_body(doc, cone, mode="Inflate as drawn")
-    assert parts.balloon.Volume.getValueAs("l").Value == pytest.approx(1.733304, rel=0.01)
+    parts = BalloonWorkbench.from_body(doc, cone, mesh_size=20, mode="Inflate as drawn")
+    assert parts.balloon.Volume.getValueAs("l").Value == pytest.approx(1.733304, rel=0.03)
 
 
 @pytest.mark.parametrize(

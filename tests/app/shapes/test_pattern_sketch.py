@@ -23,7 +23,7 @@ def pattern():
     """The corrected pattern of a ring with an intake and notches."""
     document = App.newDocument("Sketch")
     name = document.Name
-    made = create.balloon_from_sketch(document, sketches.ring(document), mesh_size=12)
+    made = create.balloon_from_sketch(document, sketches.ring(document), mesh_size=16)
     made.pattern.Notches = 6
     document.recompute()
     yield made.pattern

@@ -34,7 +34,7 @@ COUNT = int(os.environ.get("BALLOON_COACHED", "1"))
 #: Each pair of a number of holes, of arms, with and without a neck and a notch, in as few shapes.
 PAIRS = [(holes, arms, (holes + arms // 2) % 2 == 0, holes % 4 < 2) for holes in range(5) for arms in (0, 2)]
 #: Each feature once with and once without; the pairs with `make fuzz`.
-FEATURES = PAIRS if COUNT > 10 else [pair for pair in PAIRS if pair[:2] in ((0, 0), (1, 2), (2, 2), (4, 0))]
+FEATURES = PAIRS if COUNT > 10 else [pair for pair in PAIRS if pair[:2] in ((0, 0), (2, 2))]
 ALL = list(product(range(5), range(3), (False, True), (False, True)))
 TURN = np.linspace(0.0, 2.0 * np.pi, 120, endpoint=False)
 
@@ -122,11 +122,11 @@ def test_other_sizes_have_an_answer(seed: int) -> None:
             coached(outline, fitted=seed % 2 == 0)
 
 
-@pytest.mark.parametrize("design", [inflate_outline, fit])
-def test_measured_findings_have_an_answer(design: Callable[..., Design]) -> None:
+@pytest.mark.parametrize(("design", "mesh_size"), [(inflate_outline, 0.013), (fit, 0.018)])
+def test_measured_findings_have_an_answer(design: Callable[..., Design], mesh_size: float) -> None:
     """A ring handle, a neck and a slot, inflated as drawn and fitted on a coarse mesh."""
     outline = combined(2, 0, True, True)
-    sound(outline, advise_design(design(outline, FILM, 2000.0, mesh_size=0.012), FILM))
+    sound(outline, advise_design(design(outline, FILM, 2000.0, mesh_size=mesh_size), FILM))
 
 
 def test_rim_of_loops_with_different_numbers_of_points() -> None:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 import re
+from functools import cache
 
 import numpy as np
 import pytest
@@ -16,6 +17,7 @@ from drawn_flaws import KINDS, Flawed, flawed
 from drawn_shapes import corners_of, hole, oriented, polar
 
 from BalloonWorkbench.core.advice.advise import advise
+from BalloonWorkbench.core.advice.findings import Finding
 from BalloonWorkbench.core.outline.outline import Outline
 
 ALL = int(os.environ.get("BALLOON_COACHED", "1")) > 10
@@ -41,6 +43,16 @@ FEW = ("small hole in the middle", "small hole off the middle", "ring", "narrow 
 TRIED = RINGS if ALL else FEW
 
 
+@cache
+def truth(name: str) -> Truth:
+    return Truth(Flawed(RINGS[name]))
+
+
+@cache
+def advised(name: str) -> tuple[Finding, ...]:
+    return advise(RINGS[name], FILM, fitted=False).findings
+
+
 def test_findings_hold_in_the_simulation() -> None:
     scores = new_scores()
     relative_volume = []
@@ -62,9 +74,8 @@ def test_findings_hold_in_the_simulation() -> None:
 @pytest.mark.parametrize("name", TRIED)
 def test_a_ring_warps_as_its_simulation_does(name: str) -> None:
     """Neither the hole's size nor the ring's width alone tells; the height is right within a factor 1.5."""
-    ring = RINGS[name]
-    said = [one for one in advise(ring, FILM, fitted=False).findings if one.rule == "warping_ring"]
-    warp = Truth(Flawed(ring)).warp
+    said = [one for one in advised(name) if one.rule == "warping_ring"]
+    warp = truth(name).warp
     assert len(said) == (warp > 0.08), warp
     for finding in said:
         assert 1.0 / 1.5 < finding.measured / warp < 1.5, warp
@@ -76,9 +87,8 @@ def test_a_ring_kinks_as_its_simulation_does(name: str) -> None:
 
     Where the wider one helps little, as round a small hole, it is not advised.
     """
-    ring = RINGS[name]
-    kinked = [one for one in advise(ring, FILM, fitted=False).findings if one.rule == "creasing_ring"]
-    present, wider = Truth(Flawed(ring)).creased
+    kinked = [one for one in advised(name) if one.rule == "creasing_ring"]
+    present, wider = truth(name).creased
     assert len(kinked) == (wider < 0.7 * present)
     for finding in kinked:
         lengths = [float(text) for text in re.findall(r"([\d.]+) mm", finding.text)]

@@ -21,6 +21,7 @@ from BalloonWorkbench.core.types import Floats
 
 PIECE = 0.5
 ALL = int(os.environ.get("BALLOON_BAGS", "1")) > 50
+EDGE = None if ALL else 0.014  # [m]; an automatic mesh is finer
 WINDOW, SPACING = 0.01, 0.002  # over which the rim's turning is measured [m]
 
 
@@ -38,7 +39,7 @@ def ring(count: int, inner: int) -> Outline:
 
 
 def designed(outline: Outline) -> BagDesign:
-    return fit_band(outline, SideBand(0.04, PIECE), film("mylar"), 2000.0)
+    return fit_band(outline, SideBand(0.04, PIECE), film("mylar"), 2000.0, mesh_size=EDGE)
 
 
 def turning_changes(loop: Floats, least: float) -> int:

@@ -46,7 +46,7 @@ def coarse(profile: Profile, count: int) -> float:
 
 @pytest.fixture(scope="module")
 def ball() -> BagDesign:
-    return fit_gores(sphere(), 6, POLYESTER, 1000.0)
+    return fit_gores(sphere(), 6, POLYESTER, 1000.0, mesh_size=coarse(sphere(), 6))
 
 
 @pytest.mark.parametrize(
@@ -68,7 +68,7 @@ def test_six_gores_of_a_sphere_follow_the_law(ball: BagDesign) -> None:
     assert error(ball) <= 0.16 / 6**2
     assert ball.passes <= 8 and ball.reached and not ball.warnings
     assert ball.size == pytest.approx(np.sqrt(12.0))
-    plain = inflate_gores(sphere(), 6, POLYESTER, 1000.0)
+    plain = inflate_gores(sphere(), 6, POLYESTER, 1000.0, mesh_size=coarse(sphere(), 6))
     assert error(ball) < 0.8 * error(plain)
 
 
@@ -100,7 +100,7 @@ def test_the_pattern_alone_makes_the_balloon(ball: BagDesign) -> None:
 def test_the_model_airship_is_what_its_builder_had() -> None:
     """2.1 m x 0.73 m of six gores: 0.53 m3, 31 g a gore with its weld; in polyethylene of 50 um."""
     film = film_named("pe")
-    design = fit_gores(airship(), 6, film, 300.0)
+    design = fit_gores(airship(), 6, film, 300.0, mesh_size=coarse(airship(), 6))
     assert error(design) < 5e-3 and design.reached
     assert design.inflation.volume == pytest.approx(0.53, rel=0.03)
     flat = design.bag.panels[0].outer
@@ -108,17 +108,19 @@ def test_the_model_airship_is_what_its_builder_had() -> None:
     assert 1e3 * film.areal_density * (signed_area(flat) + weld) == pytest.approx(31.0, rel=0.05)
 
 
-@pytest.mark.parametrize("make", [bell, cone])
-def test_waists_and_open_ends(make: object) -> None:
-    profile: Profile = make()  # type: ignore[operator]
+def test_waists_and_open_ends() -> None:
+    profile = bell()
     design = fit_gores(profile, 8, stiff(profile), 1000.0, mesh_size=coarse(profile, 8))
     assert design.reached and design.passes <= 8
     assert error(design) < 4e-3
 
 
-@pytest.mark.parametrize("name", ["cone", "drum", "bottle", "capsule"])
+@pytest.mark.parametrize("name", ["cone", "drum"])
 def test_rims_of_discs_are_where_the_profile_ends(name: str) -> None:
-    """Plain gores are drawn in by up to 4 % there; corrected ones are as near as the law says."""
+    """Plain gores are drawn in by up to 4 % there; corrected ones are as near as the law says.
+
+    All profiles: benchmarks/validation/gores.py.
+    """
     profile = PROFILES[name]()
     edge = coarse(profile, 8)
     plain = inflate_gores(profile, 8, POLYESTER, 1000.0, mesh_size=edge)

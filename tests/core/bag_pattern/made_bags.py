@@ -3,16 +3,25 @@
 
 from __future__ import annotations
 
+from functools import cache
+from typing import Any
+
 import numpy as np
 from drawn_letters import letter_outline
 from drawn_shapes import NAMED
 
+from BalloonWorkbench.core.bag_pattern.bag_patterns import BagPatterns
+from BalloonWorkbench.core.bag_pattern.make import bag_patterns
 from BalloonWorkbench.core.bags.bag import Bag, BagPanel, BagSeam, Opening, Side
 from BalloonWorkbench.core.bodies.banded import banded_bag
 from BalloonWorkbench.core.bodies.gores import gored_bag
 from BalloonWorkbench.core.bodies.profile import OPEN, Profile
 from BalloonWorkbench.core.bodies.ready import READY, ready_bag
+from BalloonWorkbench.core.film.library import film
+from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.types import Floats
+
+FILM = film("bopp-foil")
 
 
 def rectangle(width: float, height: float) -> Floats:
@@ -69,3 +78,8 @@ BAGS = {
     "letter M": banded_bag(letter_outline("sans bold", "M"), 0.04, 0.5),
     **{f"ready {name}": ready_bag(name) for name in READY},
 }
+
+
+@cache
+def made(name: str, **options: Any) -> BagPatterns:
+    return bag_patterns(BAGS[name], FILM, PatternOptions(**options))

@@ -4,15 +4,12 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import cache
-from typing import Any
 
 import numpy as np
 import pytest
 import shapely
-from made_bags import BAGS, drum
+from made_bags import BAGS, FILM, drum, made
 
-from BalloonWorkbench.core.bag_pattern.bag_patterns import BagPatterns
 from BalloonWorkbench.core.bag_pattern.make import bag_patterns
 from BalloonWorkbench.core.bags.bag import Opening
 from BalloonWorkbench.core.errors import InputError
@@ -25,13 +22,7 @@ from BalloonWorkbench.core.nesting.nest import nest
 from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
 
-FILM = film("bopp-foil")
 SEAL, ALLOWANCE = FILM.seal_width, PatternOptions.allowance
-
-
-@cache
-def made(name: str, **options: Any) -> BagPatterns:
-    return bag_patterns(BAGS[name], FILM, PatternOptions(**options))
 
 
 def welds(pattern: Pattern) -> shapely.Geometry:

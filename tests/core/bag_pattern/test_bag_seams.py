@@ -7,16 +7,14 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from made_bags import BAGS, rectangle
+from made_bags import BAGS, made, rectangle
 
 from BalloonWorkbench.core.bag_pattern.copies import panel_copies
-from BalloonWorkbench.core.bag_pattern.make import bag_patterns
 from BalloonWorkbench.core.bag_pattern.order import CLOSE, JOIN, LAST
 from BalloonWorkbench.core.bag_pattern.seams import seam_marks, side_lines
 from BalloonWorkbench.core.bag_pattern.tabs import tab_shares
 from BalloonWorkbench.core.bags.bag import Bag, BagPanel, BagSeam, Side
 from BalloonWorkbench.core.film.library import film
-from BalloonWorkbench.core.options.pattern import PatternOptions
 
 FILM = film("bopp-foil")
 
@@ -88,10 +86,10 @@ def test_a_rectangle_is_its_own_mirror_image() -> None:
 @pytest.mark.parametrize("name", sorted(BAGS))
 def test_the_order_joins_all_panels_and_ends_with_the_opening(name: str) -> None:
     bag = BAGS[name]
-    patterns = bag_patterns(bag, FILM, PatternOptions(label_height=1e-3))
-    made = {mark.number for mark in patterns.seams if mark.made}
+    patterns = made(name)
+    seams = {mark.number for mark in patterns.seams if mark.made}
     order = patterns.order
-    assert sorted(step.seam for step in order) == sorted(made)
+    assert sorted(step.seam for step in order) == sorted(seams)
     joins = [step for step in order if step.kind == JOIN]
     tree = {panel: {panel} for panel in patterns.panels}
     for step in joins:
@@ -110,7 +108,7 @@ def test_the_order_joins_all_panels_and_ends_with_the_opening(name: str) -> None
 
 def test_a_seam_of_panels_that_are_not_cut_is_not_made() -> None:
     envelope = BAGS["envelope"]
-    patterns = bag_patterns(envelope, FILM, PatternOptions())
+    patterns = made("envelope")
     assert len(patterns.patterns) == 10
     assert sum(mark.made for mark in patterns.seams) == 10
     assert replace(envelope, opening=None) == envelope

@@ -7,17 +7,12 @@ from collections import Counter
 
 import numpy as np
 import pytest
-from made_bags import BAGS
+from made_bags import BAGS, FILM, made
 from paper import NEAR, read
 
-from BalloonWorkbench.core.bag_pattern.make import bag_patterns
 from BalloonWorkbench.core.bags.bag import Bag
-from BalloonWorkbench.core.film.library import film
 from BalloonWorkbench.core.machines.machine import machines
 from BalloonWorkbench.core.machines.machine_file import machine_file
-from BalloonWorkbench.core.options.pattern import PatternOptions
-
-FILM = film("bopp-foil")
 
 
 def loop_length(points: np.ndarray) -> float:
@@ -39,7 +34,7 @@ def simulated(bag: Bag) -> list[tuple[tuple[int, float, bool], ...]]:
 @pytest.mark.parametrize("name", sorted(set(BAGS) - {"envelope"}))
 def test_panels_glued_along_their_numbers_are_the_bag(name: str) -> None:
     bag = BAGS[name]
-    patterns = bag_patterns(bag, FILM, PatternOptions(intake=False))
+    patterns = made(name, intake=False)
     sheet = read(machine_file(patterns.sheet, machines()["any-dxf"]), 1e3 * FILM.seal_width)
     assert len(sheet.areas) == len(bag.panels)
     assert sheet.areas == pytest.approx([1e6 * area(panel.loops) for panel in bag.panels], rel=1e-4)

@@ -6,13 +6,16 @@ Film without bending and without a sealed band.
 
 from __future__ import annotations
 
+from functools import cache
+
 import numpy as np
 import pytest
-from bag_volumes import KNOWN, box, cone
+from bag_volumes import KNOWN, box
 from solver_cases import PRESSURE, film, needs_native
 
 from BalloonWorkbench.core.bags.bag import Bag
 from BalloonWorkbench.core.bags.mesh_bag import default_size, mesh_bag
+from BalloonWorkbench.core.solver.backend import available
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.solver.model import Model
@@ -21,6 +24,14 @@ from BalloonWorkbench.core.solver.problem import NewtonSettings
 #: The volume is then known to 0.03 %; what still moves are crumples.
 ENOUGH = NewtonSettings(1e-4)
 MOST_STEPS = 20
+BACKEND = available()[0].name
+#: A panel of each kind: rectangles, triangles, discs, a sector. All of them: benchmarks/validation/bags.py.
+FEW = ("stiff cube", "tetrahedron", "low drum", "cone")
+
+
+@cache
+def known(name: str, backend: str) -> Inflation:
+    return blown(KNOWN[name].bag(), KNOWN[name].k, backend)
 
 
 def blown(bag: Bag, k: float, backend: str | None = None, size: float | None = None) -> Inflation:
@@ -35,28 +46,26 @@ def blown(bag: Bag, k: float, backend: str | None = None, size: float | None = N
 @pytest.mark.parametrize(
     ("name", "backend"),
     [
-        *(pytest.param(name, "native", marks=needs_native) for name in KNOWN),
-        *((name, "numpy") for name in ("cube", "drum", "cone")),
+        *(pytest.param(name, "native", marks=needs_native) for name in FEW),
+        ("low drum", "numpy"),
     ],
 )
 def test_known_volumes(name: str, backend: str) -> None:
-    """All of them with both solvers: benchmarks/validation/bags.py."""
-    case = KNOWN[name]
-    result = blown(case.bag(), case.k, backend)
+    result = known(name, backend)
     assert 1800 < len(result.positions) < 2200
-    assert result.volume == pytest.approx(case.volume, rel=0.003)
+    assert result.volume == pytest.approx(KNOWN[name].volume, rel=0.003)
     assert result.report.newton_steps <= MOST_STEPS
 
 
 def test_a_long_prism_is_a_cylinder() -> None:
     """What a longer one has more, far from its ends: the area of a circle of the same perimeter."""
-    longer, shorter = (blown(box(length, 1.0, 0.5), 1e3, size=0.09).volume for length in (6.0, 4.0))
+    longer, shorter = (blown(box(length, 1.0, 0.5), 1e3, size=0.11).volume for length in (6.0, 4.0))
     assert longer - shorter == pytest.approx(2.0 * 3.0**2 / (4.0 * np.pi), rel=0.003)
 
 
 def test_a_cube_is_rounded_as_known() -> None:
     """Distances from its middle: of a corner, the middle of an edge, the middle of a face."""
-    result = blown(box(1.0, 1.0, 1.0), 1e4)
+    result = known("stiff cube", BACKEND)
     places = np.split(result.positions, result.assembly.offsets[1:-1])
     faces = [
         (panel.rest_positions - panel.rest_positions[panel.loops[0]].mean(axis=0), at)
@@ -80,7 +89,7 @@ def test_a_cube_is_rounded_as_known() -> None:
 
 def test_a_cone_is_as_high_and_wide_as_known() -> None:
     """On a disc of radius 1, with a slant of 2: about its axis, which its tip and its disc give."""
-    result = blown(cone(2.0), 1e3)
+    result = known("cone", BACKEND)
     sector, disc = np.split(result.positions, result.assembly.offsets[1:-1])
     rest = result.assembly.panels[0].rest_positions
     tip = sector[np.argmin(np.linalg.norm(rest, axis=1))]

@@ -38,10 +38,9 @@ def test_there_are_eleven_pictures() -> None:
     assert len(NAMES) == 11
 
 
-@pytest.mark.parametrize("name", ["butterfly", "fish", "line-dog", "star"])
-def test_pictures_inflate_to_the_drawing(name: str) -> None:
+def test_a_picture_inflates_to_the_drawing() -> None:
     """All of them: benchmarks/validation/correction.py."""
-    drawing = read_picture(PICTURES / f"{name}.png", 0.3, None)
+    drawing = read_picture(PICTURES / "butterfly.png", 0.3, None)
     design = fit(drawing, film("mylar"), 2000.0)
     size = max(drawing.size)
     assert design.reached
@@ -51,31 +50,31 @@ def test_pictures_inflate_to_the_drawing(name: str) -> None:
     assert first_crossing(design.pattern.loops) is None
 
 
-SEALED = pytest.mark.parametrize(
-    "film", [replace(STIFF, seal_width=0.005), STIFF], ids=["sealed", "unsealed"]
+SEALED = replace(STIFF, seal_width=0.005)
+FILMS = pytest.mark.parametrize("film", [SEALED, STIFF], ids=["sealed", "unsealed"])
+
+
+@pytest.mark.parametrize(
+    ("backend", "film"), [*((backend.name, SEALED) for backend in available()), (None, STIFF)]
 )
-
-
-@SEALED
-@pytest.mark.parametrize("backend", [backend.name for backend in available()])
-def test_pattern_of_a_disc_is_larger_by_the_elliptic_integral(backend: str, film: Film) -> None:
+def test_pattern_of_a_disc_is_larger_by_the_elliptic_integral(backend: str | None, film: Film) -> None:
     """A disc of radius R needs a pattern of radius R int_0^1 dt / sqrt(1 - t^4)."""
     design = fit(Outline(circle(0.1)), film, 300.0, mesh_size=0.02, backend=backend)
     radius = np.sqrt(signed_area(design.pattern.outer) / np.pi)
     assert radius / 0.1 == pytest.approx(1.311028777, rel=3e-3)
 
 
-@SEALED
+@FILMS
 def test_pattern_of_a_strip_is_wider_by_half_pi(film: Film) -> None:
-    """Far from its ends a tube of width w, here 20 times as long, needs a strip of width pi/2 w.
+    """Far from its ends a tube of width w, here 12 times as long, needs a strip of width pi/2 w.
 
     A weld that hardly bends feels the ends farther, and coarse triangles more.
     """
-    half, width = 0.6, 0.06
+    half, width = 0.36, 0.06
     strip = Outline(
         np.array([[-half, -width / 2], [half, -width / 2], [half, width / 2], [-half, width / 2]])
     )
-    design = fit(strip, film, 300.0, mesh_size=0.006)
+    design = fit(strip, film, 300.0, mesh_size=0.008)
     middle = design.pattern.outer[np.abs(design.pattern.outer[:, 0]) < 0.1 * half]
     grown = middle[middle[:, 1] > 0, 1].mean() - middle[middle[:, 1] < 0, 1].mean()
     assert grown / width == pytest.approx(np.pi / 2, rel=3e-3)
@@ -83,7 +82,7 @@ def test_pattern_of_a_strip_is_wider_by_half_pi(film: Film) -> None:
 
 def test_ring_keeps_its_hole() -> None:
     drawing = Outline(circle(0.1), (circle(0.05)[::-1],))
-    design = fit(drawing, film("mylar"), 2000.0)
+    design = fit(drawing, film("mylar"), 2000.0, mesh_size=0.012)
     assert len(design.pattern.holes) == len(design.silhouette.holes) == 1
     assert design.residual.mean < 0.01 * 0.2
     assert signed_area(design.pattern.holes[0]) < 0.0
@@ -91,7 +90,7 @@ def test_ring_keeps_its_hole() -> None:
 
 def test_corners_of_the_drawing_stay_in_the_pattern() -> None:
     square = Outline(np.array([[0.0, 0.0], [0.2, 0.0], [0.2, 0.2], [0.0, 0.2]]))
-    design = fit(square, film("mylar"), 2000.0)
+    design = fit(square, film("mylar"), 2000.0, mesh_size=0.012)
     loop = design.pattern.outer
     ahead = np.roll(loop, -1, axis=0) - loop
     back = np.roll(ahead, 1, axis=0)
@@ -112,12 +111,6 @@ def test_same_input_gives_the_same_pattern_to_the_last_digit() -> None:
     drawing = Outline(circle(0.1, 60) * (1.0, 0.7))
     first, second = (fit(drawing, film("mylar"), 2000.0, mesh_size=0.015) for _ in range(2))
     assert first.pattern.outer.tobytes() == second.pattern.outer.tobytes()
-
-
-def test_coarse_and_fine_meshes_agree() -> None:
-    drawing = read_picture(PICTURES / "heart.png", 0.3, None)
-    coarse, fine = (fit(drawing, film("mylar"), 2000.0, mesh_size=size) for size in (0.011, 0.006))
-    assert residual(coarse.pattern, fine.pattern).mean < 0.002 * 0.3
 
 
 def test_an_unreachable_drawing_is_marked() -> None:
@@ -190,12 +183,11 @@ def test_residual_is_the_distance_between_concentric_circles() -> None:
     assert error.max == pytest.approx(0.02, rel=1e-3)
 
 
-@pytest.mark.parametrize("mesh_size", [0.006, 0.012])
-def test_curled_arms_are_uncurled(mesh_size: float) -> None:
+def test_curled_arms_are_uncurled() -> None:
     """The arms of an S curl up by a fifth of its size; the pattern's are straighter by as much."""
     drawing = NAMED["S"]
     scale = 0.19 / max(drawing.size)
-    design = fit(drawing.map(lambda loop: scale * loop), film("mylar"), 2000.0, mesh_size=mesh_size)
+    design = fit(drawing.map(lambda loop: scale * loop), film("mylar"), 2000.0, mesh_size=0.01)
     assert design.residual.mean < 0.003 * 0.19
     assert design.residual.max < 0.015 * 0.19
 

@@ -61,17 +61,16 @@ def test_first_pattern_keeps_the_hole_of_a_ring() -> None:
 # The same answer on any mesh
 
 
-@pytest.mark.parametrize("name", ["fish", "heart"])
-def test_few_and_many_vertices_give_the_same_pattern(name: str) -> None:
-    """All pictures: benchmarks/validation/accidents.py."""
-    drawing = read_picture(PICTURES / f"{name}.png", 0.3, None)
+def test_few_and_many_vertices_give_the_same_pattern() -> None:
+    """All pictures, and 5000 vertices: benchmarks/validation/accidents.py."""
+    drawing = read_picture(PICTURES / "fish.png", 0.3, None)
     grown_drawing = drawing.map(lambda loop: 1.28 * loop)
     few, many = (
-        fit(drawing, film("mylar"), 2000.0, mesh_size=size_for(grown_drawing, count)) for count in (600, 5000)
+        fit(drawing, film("mylar"), 2000.0, mesh_size=size_for(grown_drawing, count)) for count in (600, 1500)
     )
     # the balloon that is shown is blown up on a somewhat finer mesh than the pattern was found on
     assert len(few.inflation.panel.rest_positions) < 1000
-    assert len(many.inflation.panel.rest_positions) > 4400
+    assert len(many.inflation.panel.rest_positions) > 1320
     # where the pattern lies on the table is free
     rotation, shift = alignment(few.pattern.outer, many.pattern.outer, np.ones(len(few.pattern.outer)))
     laid = few.pattern.map(lambda loop: loop @ rotation.T + shift)
@@ -107,13 +106,14 @@ def mean_edge(design: Design) -> float:
     "drawing",
     [
         pytest.param(Outline(circle(0.15)), id="disc"),
-        pytest.param(Outline(circle(0.15) * (1.0, 0.6)), id="ellipse"),
         pytest.param(generated(10), id="blob"),
     ],
 )
 def test_pattern_of_a_smooth_drawing_has_no_waves_of_the_mesh(drawing: Outline) -> None:
     """Waves shorter than three mesh edges hold less than 0.2 % of the energy of the curvature."""
-    design = fit(drawing, film("mylar"), 2000.0)
+    design = fit(
+        drawing, film("mylar"), 2000.0, mesh_size=size_for(drawing.map(lambda loop: 1.28 * loop), 700)
+    )
     edge = mean_edge(design)
     assert short_waves(drawing.outer, 3.0 * edge) < 1e-3  # not the drawing's own
     assert short_waves(design.pattern.outer, 3.0 * edge) < 2e-3
@@ -149,7 +149,7 @@ def test_bays_keep_room_for_two_welds_and_a_cut() -> None:
     assert len(contours.contours) == 2  # one weld and one cut: no bay is closed by them
 
 
-@pytest.mark.parametrize("seed", [2, 7, 12])
+@pytest.mark.parametrize("seed", [2, 7])
 def test_patterns_of_generated_outlines_are_valid(seed: int) -> None:
     """No crossings, no needles: the pattern turns back on itself nowhere but at the drawing's corners."""
     drawing = generated(seed)

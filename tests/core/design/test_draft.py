@@ -29,7 +29,7 @@ FILM = film(DEFAULT_FILM)
 PRESSURE = 2000.0
 MANY = int(os.environ.get("BALLOON_DRAFTS", "0"))
 NEAR = 0.1  # of the fitted balloon's volume and size
-FITTED = 800  # vertices of the fitted balloon
+FITTED = 500  # vertices of the fitted balloon
 ROUND_HOLES = 0.13  # of the thickness between holes, where so few triangles are too stiff
 FEW = ("square", "star", "wedge", "ring")
 

@@ -20,7 +20,7 @@ import pytest
 from BalloonWorkbench.core.files import swap, system
 from BalloonWorkbench.core.files.write import check_folder, write_files
 
-COUNT = int(os.environ.get("BALLOON_KILLS", "60"))
+COUNT = int(os.environ.get("BALLOON_KILLS", "30"))
 OLD = {"one": b"old 1", "two": b"old 2" * 9, "three": b"old 3"}
 NEW = {"one": b"new 1" * 5000, "two": b"new 2", "three": b"new 3", "four": b"new 4"}
 NEVER = 1 << 30

@@ -19,7 +19,7 @@ from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.inflation import Inflation
 
-COUNT = int(os.environ.get("BALLOON_OUTLINES", "30"))
+COUNT = int(os.environ.get("BALLOON_OUTLINES", "21"))
 VERTICES = 300
 
 

@@ -28,7 +28,7 @@ from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.outline.drawing import Drawing
 from BalloonWorkbench.core.readers.read import read_drawing
 
-COUNT = int(os.environ.get("BALLOON_FILES", "200"))
+COUNT = int(os.environ.get("BALLOON_FILES", "100"))
 SECONDS = 6.0  # of processor time
 MEGABYTES = 1500
 

@@ -10,7 +10,7 @@ from functools import cache
 import numpy as np
 import pytest
 from cut_through import balance, balance_of_all
-from drawn_shapes import NAMED, corners_of, letter, oriented, star
+from drawn_shapes import NAMED, corners_of, letter, star
 from solver_cases import both_backends, circle
 
 from BalloonWorkbench.core.errors import MissingPackageError
@@ -35,26 +35,13 @@ PRESSURE = 2000.0
 WIDTH = 0.1  # of the strip
 
 
-def sector(degrees: float, radius: float = 0.2) -> Outline:
-    turn = np.radians(np.linspace(0.0, degrees, int(2 * degrees)))
-    arc = radius * np.column_stack([np.cos(turn), np.sin(turn)])
-    return Outline(oriented(np.vstack([[0.0, 0.0], arc])))
-
-
-def polygon(corners: int, radius: float) -> Outline:
-    turn = 2.0 * np.pi * np.arange(corners) / corners
-    return Outline(radius * np.column_stack([np.cos(turn), np.sin(turn)]))
-
-
 SHAPES = {
     "disc": Outline(circle(0.2)),
     "star": star(5, 0.2, 0.04),
     "star of 12": star(12, 0.2, 0.1),
-    "sector": sector(270.0),
     "ring": Outline(circle(0.2), (circle(0.1)[::-1].copy(),)),
     "letter": letter("B"),
     "heart": NAMED["heart"],
-    "heptagon": polygon(7, 0.2),
     "strip": corners_of((0.0, 0.0), (0.8, 0.0), (0.8, WIDTH), (0.0, WIDTH)),
 }
 
@@ -146,7 +133,7 @@ def test_tension_across_planes() -> None:
         assert balance(inflated("disc"), FOIL, 0.3, places) == pytest.approx(1.0, abs=0.02)
 
 
-@pytest.mark.parametrize("shape", ["disc", "sector", "ring", "letter", "star"])
+@pytest.mark.parametrize("shape", ["ring", "star"])
 def test_global_balance(shape: str) -> None:
     """Tension across planes is pressure times section; the seams hold the pressure on what they enclose."""
     inflation = inflate(panel(shape), FOIL, PRESSURE, start=inflated(shape), settings=NewtonSettings(1e-9))
@@ -161,8 +148,10 @@ def test_global_balance(shape: str) -> None:
     assert pulled == pytest.approx(PRESSURE * enclosed, rel=0.015)
 
 
-@pytest.mark.parametrize("pressure", [PRESSURE, 300.0])
-@pytest.mark.parametrize("shape", ["star", "star of 12", "heart", "ring", "letter"])
+@pytest.mark.parametrize(
+    ("shape", "pressure"),
+    [("star", PRESSURE), ("letter", PRESSURE), ("letter", 300.0), ("star of 12", 300.0)],
+)
 def test_a_balloon_as_it_is_shown_is_in_balance(shape: str, pressure: float) -> None:
     """Not only one that is solved anew for its loads; also at a low pressure, beside which film is stiff."""
     inflation = inflated(shape) if pressure == PRESSURE else inflate(panel(shape), FOIL, pressure)
@@ -173,10 +162,9 @@ def test_a_balloon_as_it_is_shown_is_in_balance(shape: str, pressure: float) -> 
 # --- the mesh
 
 
-@pytest.mark.parametrize("shape", ["star", "ring"])
-def test_loads_are_the_same_on_another_mesh(shape: str) -> None:
+def test_loads_are_the_same_on_another_mesh() -> None:
     """1 500 vertices and 3 000; up to 12 000, and more shapes: benchmarks/validation/strength.py."""
-    coarse, fine = (settled_loads(inflated(shape, vertices), FOIL) for vertices in (1500, 3000))
+    coarse, fine = (settled_loads(inflated("star", vertices), FOIL) for vertices in (1500, 3000))
     assert coarse[1]
     assert fine[1]
     assert coarse[0].weld.value == pytest.approx(fine[0].weld.value, rel=0.08)
@@ -193,7 +181,7 @@ def test_sharp_notches_are_the_weakest_place() -> None:
 
 def test_loads_come_from_a_film_at_rest() -> None:
     """A letter whose tensions still change where the eye sees no more: like those of a solve to the end."""
-    seen = inflated("letter")
+    seen = inflate(panel("letter", 1500), FOIL, PRESSURE, settings=NewtonSettings(1e-3))
     found, at_rest = settled_loads(seen, FOIL)
     end = inflate(seen.panel, FOIL, PRESSURE, start=seen, settings=NewtonSettings(1e-11, 400))
     exact = loads(end, FOIL)

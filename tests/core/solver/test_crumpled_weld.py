@@ -29,10 +29,13 @@ WELDED = film(1000, seal_width=0.05)
 #: Of 0.3 m, from mylar with a weld of 5 mm, at party pressure.
 DRAWN = {"disc": Outline(polar(0.15)), "ring": Outline(polar(0.15), (hole(0.06, 0.0, 0.0),))}
 
+#: A coarser ring does not kink.
+VERTICES = {"disc": 800, "ring": 1500}
+
 
 @cache
 def drawn(shape: str, weld: str) -> Inflation:
-    mesh = triangulate(DRAWN[shape], size_for(DRAWN[shape], 1500))
+    mesh = triangulate(DRAWN[shape], size_for(DRAWN[shape], VERTICES[shape]))
     return inflate(mesh, films()["mylar"], 2000.0, model=Model(weld=weld), backend="native")
 
 

@@ -16,7 +16,9 @@ import pytest
 
 from BalloonWorkbench.core.errors import ExportError, InputError
 from BalloonWorkbench.core.studies.folder import StudyFolder
-from BalloonWorkbench.core.studies.job import Finished, Job
+from BalloonWorkbench.core.studies.job import PICTURE, Finished, Job
+from BalloonWorkbench.core.studies.page import write_page
+from BalloonWorkbench.core.studies.plan import planned
 from BalloonWorkbench.core.studies.read_study import study_of
 from BalloonWorkbench.core.studies.run import plan_study, run_study
 from BalloonWorkbench.core.studies.study import Study
@@ -211,3 +213,23 @@ def test_progress_is_told(study: Study, tmp_path: Path) -> None:
     seen: list[tuple[int, int]] = []
     run_study(study, tmp_path / "out", Pretending(), observe=lambda done, of, _last: seen.append((done, of)))
     assert seen == [(count, 5) for count in range(6)]
+
+
+def test_a_page_shows_the_table(study: Study, tmp_path: Path) -> None:
+    """With a small picture where one was kept, a chart over the width in mm, and why there is no balloon."""
+    folder = StudyFolder(tmp_path / "out")
+    outcome = run_study(study, folder.place, Pretending())
+    kept = next(row.key for row in planned(study) if row.job is not None)
+    (folder.of(kept) / PICTURE).write_bytes(b"\x89PNG")
+    page = write_page(study, folder, "A <study>", outcome.failures)
+    text = page.read_text(encoding="utf-8")
+    assert page == folder.place / "study.html"
+    assert text.count("<tr>") == 1 + len(WIDTHS) + 1  # the input is the same in all: a row of its own
+    assert "data:image/png;base64,iVBORw==" in text
+    assert "It cannot be." in text
+    assert "volume m3 over width" in text
+    assert ">width mm</text>" in text
+    assert "A &lt;study&gt;" in text
+    assert text.count("<circle") == len(WIDTHS) - 2  # one makes no sense, one fails
+    write_page(study, folder, "A <study>", outcome.failures)
+    assert page.read_text(encoding="utf-8") == text

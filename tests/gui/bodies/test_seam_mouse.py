@@ -13,6 +13,9 @@ from BalloonWorkbench.app.border import status
 QtCore, QtGui, QtWidgets = hands.QtCore, hands.QtGui, hands.QtWidgets
 
 
+pytestmark = pytest.mark.usefixtures("without_figures")
+
+
 @pytest.fixture
 def cube(doc):
     """The panel on a cube of 100 mm that is not inflated."""
@@ -20,14 +23,14 @@ def cube(doc):
     box.Length = box.Width = box.Height = 100
     doc.recompute()
     Gui.activeDocument().activeView().viewIsometric()
-    hands.wait(0.8)
     Gui.Selection.addSelection(box)
-    Gui.runCommand("BalloonWorkbench_FromBody")
-    hands.wait_until(hands.panel_is_seen)
-    doc.Balloon.Live = False
-    if hands.find("Stop").isVisible():
-        hands.click(hands.find("Stop"))
-    hands.wait_until(lambda: hands.find("Apply").isVisible())
+    with hands.work_held():
+        Gui.runCommand("BalloonWorkbench_FromBody")
+        hands.wait_until(hands.panel_is_seen)
+        doc.Balloon.Live = False
+        if hands.find("Stop").isVisible():
+            hands.click(hands.find("Stop"))
+        hands.wait_until(lambda: hands.find("Apply").isVisible())
     assert doc.Target.PanelCount == 6
     Gui.SendMsgToActiveView("ViewFit")
     hands.wait(0.5)

@@ -44,7 +44,7 @@ def test_the_heart_follows_a_cell_beside_its_panel():
         assert doc.Outline.SizeY.Value == pytest.approx(300, abs=0.5)
         Gui.SendMsgToActiveView("ViewFit")
         assert doc.Balloon.ViewObject.Proxy.doubleClicked(doc.Balloon.ViewObject)
-        hands.wait_until(hands.panel_is_open)
+        hands.wait_until(hands.panel_is_seen)
         picture("tutorial-heart")
         hands.press("Cancel")
         hands.wait_until(hands.panel_is_closed)

@@ -75,5 +75,5 @@ def test_commands_are_offered_when_they_make_sense():
     assert not active["ExportPattern"]()
     assert not active["Advice"]()
     Gui.runCommand("BalloonWorkbench_FromPicture")
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     assert not any(is_active() for is_active in active.values())

@@ -45,7 +45,7 @@ def test_panels(made, beat):
 
 def close(beat, name, slow):
     """The panel that was opened; the longest work is kept where it was too long [s]."""
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     hands.wait(0.1)
     hands.leave()
     hands.wait_until(hands.panel_is_closed)

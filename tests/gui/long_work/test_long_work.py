@@ -14,11 +14,13 @@ import pytest
 from heartbeat import Heartbeat
 
 from BalloonWorkbench.app.border import hooks, status
-from BalloonWorkbench.app.engine import maker
+from BalloonWorkbench.app.engine import bag_result, maker
 from BalloonWorkbench.core.checkpoint import checkpoint
 from BalloonWorkbench.core.errors import Cancelled, MeshError
 from BalloonWorkbench.gui.long_work import worker as worker_module
 from BalloonWorkbench.gui.long_work.worker import Worker
+from BalloonWorkbench.gui.panels.balloon import body_rows
+from BalloonWorkbench.gui.panels.balloon.body_rows import BodyRows
 from BalloonWorkbench.gui.panels.making.maker_rows import MakerRows
 
 pytestmark = pytest.mark.works_out
@@ -79,14 +81,19 @@ def test_a_recompute_is_stopped_and_keeps_what_was(made, how, monkeypatch):
     assert shown() is None
 
 
-def test_nobody_edits_meanwhile(made):
+def test_nobody_edits_meanwhile(made, monkeypatch):
     """A click on a widget and a key press wait in vain until the recompute is over."""
-    pressed = []
+    pressed, clicked, report = [], threading.Event(), Worker._report
+
+    def when_clicked(worker, fraction, text):
+        return clicked.wait(60.0) and report(worker, fraction, text)
+
+    monkeypatch.setattr(Worker, "_report", when_clicked)
     button = hands.QtWidgets.QPushButton("x", Gui.getMainWindow())
     button.clicked.connect(lambda: pressed.append(1))
     button.show()
-    made.balloon.MeshSize = 1.2
-    timer = when_shown(lambda: hands.click(button))
+    made.balloon.MeshSize = 8
+    timer = when_shown(lambda: (hands.click(button), clicked.set()))
     made.balloon.Document.recompute()
     assert not timer.isActive()
     assert not pressed
@@ -170,26 +177,31 @@ def test_who_abandons_a_worker_hears_nothing_of_it(doc):
     assert shown() is None
 
 
-def test_a_count_that_nobody_waits_for_any_more_ends(made, monkeypatch):
+def endless(begun, over):
+    """Work that asks whether it is still wanted, and is never done."""
+
+    def work(*_given):
+        begun.append(1)
+        try:
+            while True:
+                checkpoint()
+                time.sleep(0.01)
+        finally:
+            over.append(1)
+
+    return work
+
+
+@pytest.mark.parametrize("rows", [MakerRows, BodyRows])
+def test_a_count_that_nobody_waits_for_any_more_ends(made, monkeypatch, rows):
     begun, over = [], []
-
-    def counting(_parts, exact):
-        def count():
-            begun.append(exact)
-            try:
-                while True:
-                    checkpoint()
-                    time.sleep(0.01)
-            finally:
-                over.append(exact)
-
-        return count
-
-    monkeypatch.setattr(maker, "counting", counting)
+    monkeypatch.setattr(maker, "counting", lambda _parts, exact: endless(begun, over))
+    monkeypatch.setattr(bag_result, "stored", lambda _balloon: (None, None))
+    monkeypatch.setattr(body_rows, "body_figures", endless(begun, over))
     page = hands.QtWidgets.QWidget()
-    rows = MakerRows(hands.QtWidgets.QFormLayout(page))
+    shown = rows(hands.QtWidgets.QFormLayout(page))
     for turn in (1, 2):
-        rows.show(made)
+        shown.show(made)
         hands.wait_until(lambda turn=turn: len(begun) == turn and len(over) == turn - 1, 10)
-    rows.release()
+    shown.release()
     hands.wait_until(lambda: len(over) == 2, 10)

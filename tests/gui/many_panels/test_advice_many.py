@@ -11,7 +11,7 @@ def test_findings_of_many_panels_are_listed_and_marked(doc):
     BalloonWorkbench.from_panels(doc, "Box", mesh_size=60, pressure="40 kPa")
     Gui.activeDocument().activeView().viewTop()
     Gui.runCommand("BalloonWorkbench_Advice")
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     findings = hands.find("Findings")
     texts = [findings.item(row).text() for row in range(findings.count())]
     assert any("stronger film" in text for text in texts)

@@ -9,6 +9,8 @@ import sketches
 
 from BalloonWorkbench.app.border import status
 
+COARSE = 25  # mm
+
 
 def two_squares(doc, second=80):
     """Two squares of 80 mm beside each other, or one of another width."""
@@ -24,6 +26,7 @@ def open_panel(*panels):
         Gui.Selection.addSelection(panel)
     Gui.runCommand("BalloonWorkbench_FromPanels")
     hands.wait_until(hands.panel_is_seen)
+    App.ActiveDocument.Balloon.MeshSize = COARSE
     return hands.find("FlatPanels")
 
 

@@ -38,24 +38,24 @@ def test_every_map_and_mode_is_shown(box):
         assert balloon.ViewObject.DisplayMode == mode
 
 
-@pytest.mark.parametrize(
-    "command", ["Advice", "ColourMap", "Animate", "Nest", "ExportPattern", "AssemblySheet"]
-)
-def test_panels_for_making_open(box, command):
-    Gui.Selection.addSelection(box.balloon)
-    Gui.runCommand(f"BalloonWorkbench_{command}")
-    hands.wait_until(hands.panel_is_seen)
-    hands.wait(0.5)
-    hands.leave()
-    hands.wait_until(hands.panel_is_closed)
+def test_panels_for_making_open(box):
+    for command in ("Advice", "ColourMap", "Animate", "Nest", "ExportPattern", "AssemblySheet"):
+        Gui.Selection.clearSelection()
+        Gui.Selection.addSelection(box.balloon)
+        Gui.runCommand(f"BalloonWorkbench_{command}")
+        hands.wait_until(hands.panel_is_seen, otherwise=f"no panel of {command}")
+        hands.wait(0.2)
+        hands.leave()
+        hands.wait_until(hands.panel_is_closed)
 
 
-def test_macro_makes_the_same_bag(doc, monkeypatch):
+def test_macro_makes_the_same_bag(doc, stand_in):
     lines = []
-    monkeypatch.setattr(Gui, "doCommand", lines.append)
+    stand_in.setattr(Gui, "doCommand", lines.append)
     Gui.runCommand("BalloonWorkbench_FromPanels")
     hands.wait_until(hands.panel_is_seen)
     hands.choose(hands.find("Ready"), "Tetrahedron")
+    hands.type_into(hands.find("MeshSize"), "30 mm")
     hands.press("Ok")
     hands.wait_until(hands.panel_is_closed, 60)
     (made,) = [line for line in lines if "from_panels" in line]

@@ -29,7 +29,10 @@ def solved(doc):
 def test_selected_sketch_becomes_a_ball(half):
     doc = half.Document
     Gui.Selection.addSelection(half)
-    Gui.runCommand("BalloonWorkbench_FromProfile")
+    with hands.work_held():  # nothing is inflated that is not coarse
+        Gui.runCommand("BalloonWorkbench_FromProfile")
+        hands.wait_until(hands.panel_is_seen)
+        hands.type_into(hands.find("MeshSize"), "30 mm")
     hands.wait_until(solved(doc), 120)
     body, balloon = doc.GoredBody, doc.Balloon
     assert body.Status == balloon.Status == status.READY

@@ -11,6 +11,8 @@ from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document.parts import panels_of
 from BalloonWorkbench.gui.window import file_dialogs, macro_recorder
 
+pytestmark = pytest.mark.usefixtures("without_figures")
+
 
 @pytest.fixture
 def lines(monkeypatch):
@@ -38,11 +40,12 @@ def open_panel(*selected):
     """The panel on what is selected, quick to inflate."""
     for obj in selected:
         Gui.Selection.addSelection(obj)
-    Gui.runCommand("BalloonWorkbench_FromBody")
-    hands.wait_until(hands.panel_is_seen)
-    hands.choose(hands.find("Mode"), "Inflate as drawn")
-    hands.type_into(hands.find("MeshSize"), "15 mm")
-    hands.find("Steps").setCurrentIndex(0)
+    with hands.work_held():  # nothing is inflated that is not quick
+        Gui.runCommand("BalloonWorkbench_FromBody")
+        hands.wait_until(hands.panel_is_seen)
+        hands.choose(hands.find("Mode"), "Inflate as drawn")
+        hands.type_into(hands.find("MeshSize"), "20 mm")
+        hands.find("Steps").setCurrentIndex(0)
 
 
 def solved(doc):
@@ -69,11 +72,11 @@ def test_selected_box_becomes_a_balloon(box, lines, tmp_path):
     assert [obj.Status for obj in (target, balloon, doc.Pattern)] == [status.READY] * 3
     assert balloon.PanelCount == target.PanelCount == len(panels_of(doc.Pattern)) == 6
     # inextensible film: 1.26 times the volume of the cube
-    assert balloon.Volume.getValueAs("l").Value == pytest.approx(1.26, rel=0.04)
+    assert balloon.Volume.getValueAs("l").Value == pytest.approx(1.26, rel=0.05)
     assert balloon.getParentGroup().Label == "Box balloon"
     (line,) = [line for line in lines if "from_body" in line]
     assert 'from_body(App.ActiveDocument, App.ActiveDocument.getObject("Box"), ' in line
-    assert 'mesh_size="15 mm"' in line
+    assert 'mesh_size="20 mm"' in line
     assert len({panel.ViewObject.ShapeColor for panel in panels_of(doc.Pattern)}) == 6
 
     assert doc.UndoNames[0] == "New balloon from body"
@@ -98,7 +101,7 @@ def test_selected_box_becomes_a_balloon(box, lines, tmp_path):
     hands.click(hands.find("Apply"))
     hands.wait_until(lambda: again.Balloon.Volume.Value > 1.5 * volume and solved(again)(), 120)
     # inextensible film: 2.532 times a cube
-    assert again.Balloon.Volume.getValueAs("l").Value == pytest.approx(2.532, rel=0.04)
+    assert again.Balloon.Volume.getValueAs("l").Value == pytest.approx(2.532, rel=0.05)
     hands.press("Ok")
     hands.wait_until(hands.panel_is_closed, 120)
 
@@ -113,10 +116,10 @@ def test_cancel_leaves_nothing(box, lines):
     assert not lines
 
 
-def test_a_file_is_chosen(doc, lines, tmp_path, monkeypatch):
+def test_a_file_is_chosen(doc, lines, tmp_path, stand_in):
     path = tmp_path / "block.stl"
     Mesh.createBox(100.0, 80.0, 60.0).write(str(path))
-    monkeypatch.setattr(file_dialogs, "ask_for_body", lambda _parent: str(path))
+    stand_in.setattr(file_dialogs, "ask_for_body", lambda _parent: str(path))
     open_panel()
     assert "Select a solid or a mesh" in hands.find("Source").text()
     hands.type_into(hands.find("BodyFile"), str(tmp_path / "none.stl"))

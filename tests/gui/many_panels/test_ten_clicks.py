@@ -58,7 +58,7 @@ def clicks():
 
 
 @pytest.fixture(autouse=True)
-def quick(monkeypatch):
+def quick(monkeypatch, without_figures):
     """A coarse balloon that is hardly corrected: what is counted here are clicks."""
     monkeypatch.setattr(fit_target, "VERTICES", 400)
     monkeypatch.setattr(fit_target, "STEPS", 1)

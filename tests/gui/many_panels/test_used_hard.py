@@ -2,6 +2,7 @@
 """Balloons of many panels in the window, used hard: undone, saved, left and recomputed amid the work."""
 
 import math
+from contextlib import ExitStack
 
 import FreeCAD as App
 import FreeCADGui as Gui
@@ -13,14 +14,26 @@ import view_port
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document.parts import panels_of
 
+COARSE = 30  # mm
+
 
 def open_bag(doc, body="Tetrahedron"):
-    """The panel on a new bag of a ready body, a solve under way."""
+    """The panel on a new bag of a ready body, which is solved."""
     Gui.runCommand("BalloonWorkbench_FromPanels")
     hands.wait_until(hands.panel_is_seen)
+    doc.Balloon.MeshSize = COARSE
     hands.choose(hands.find("Ready"), body)
-    hands.wait_until(lambda: hands.find("Stop").isVisible() or doc.Balloon.SolvedFor != "")
     return doc.Balloon
+
+
+@pytest.fixture
+def amid(doc):
+    """The same, whose solve has begun; it goes on when this is called."""
+    with ExitStack() as held:
+        held.enter_context(hands.work_held())
+        open_bag(doc)
+        hands.wait_until(hands.find("Stop").isVisible)
+        yield held.close
 
 
 def settled(doc):
@@ -72,20 +85,21 @@ def test_one_panel_is_exported(tetra, tmp_path):
     assert (tmp_path / "one.dxf").stat().st_size > 0
 
 
-def test_undo_amid_the_task(doc):
+def test_undo_amid_the_task(doc, amid):
     """The objects of the open panel go: it closes, and nothing of it is left."""
-    open_bag(doc)
     doc.abortTransaction()
+    amid()
     hands.wait(0.5)
     if hands.panel_is_open():
         hands.leave()
     assert doc.Objects == []
 
 
-def test_saved_while_it_is_solved(doc, tmp_path):
-    balloon = open_bag(doc)
+def test_saved_while_it_is_solved(doc, amid, tmp_path):
+    balloon = doc.Balloon
     path = tmp_path / "amid.FCStd"
     doc.saveAs(str(path))
+    amid()
     hands.wait_until(lambda: settled(doc), 120)
     hands.press("Ok")
     hands.wait_until(hands.panel_is_closed)
@@ -97,9 +111,10 @@ def test_saved_while_it_is_solved(doc, tmp_path):
     assert opened.getObject("Balloon").Status == status.READY
 
 
-def test_recomputed_while_it_is_solved(doc):
-    balloon = open_bag(doc)
+def test_recomputed_while_it_is_solved(doc, amid):
+    balloon = doc.Balloon
     doc.recompute()
+    amid()
     hands.wait_until(lambda: settled(doc), 120)
     doc.recompute()
     hands.press("Ok")
@@ -108,10 +123,10 @@ def test_recomputed_while_it_is_solved(doc):
     assert len(panels_of(doc.Pattern)) == 4
 
 
-def test_another_document_is_chosen_amid_the_task(doc):
+def test_another_document_is_chosen_amid_the_task(doc, amid):
     """What the panel does stays in its own."""
-    open_bag(doc)
     other = App.newDocument("Other")
+    amid()
     hands.wait_until(lambda: settled(doc), 120)
     hands.press("Ok")
     hands.wait_until(hands.panel_is_closed)
@@ -119,8 +134,7 @@ def test_another_document_is_chosen_amid_the_task(doc):
     assert other.Objects == []
 
 
-def test_the_document_is_closed_amid_the_task(doc):
-    open_bag(doc)
+def test_the_document_is_closed_amid_the_task(doc, amid):
     App.closeDocument(doc.Name)
     hands.wait(0.5)
     if hands.panel_is_open():

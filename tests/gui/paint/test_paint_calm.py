@@ -2,6 +2,7 @@
 """The preview does not jump: colours leave the balloon alone, a known shape comes back at once, and the rest
 moves smoothly."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import hands
@@ -28,6 +29,7 @@ from BalloonWorkbench.gui.paint.preview.scene import begun, texels
 
 QtGui = hands.QtGui
 FIRST = "Draw a closed line"
+MESH = 0.014  # m
 
 
 @pytest.fixture
@@ -35,6 +37,7 @@ def window(doc):
     with framed():
         opened = open_window()
         opened._is_sized = True  # the card would be in the way
+        opened.live.settings = replace(opened.live.settings, mesh_size=MESH)
         yield opened
         close_window()
 

@@ -84,7 +84,7 @@ def test_a_fish_from_the_first_stroke_to_the_cutter(doc, window, beat, pointer, 
 
     press("PaintMake")
     hands.wait_until(is_closed, 60)
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     record("making", beat, new_view=True)  # the first pictures of the objects
     assert doc.UndoNames == ["Paint a balloon"]
     assert_made(doc, 250)
@@ -101,7 +101,7 @@ def test_a_fish_from_the_first_stroke_to_the_cutter(doc, window, beat, pointer, 
     assert_made(doc, 250)
 
     doc.Balloon.ViewObject.Proxy.doubleClicked(doc.Balloon.ViewObject)
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     picture("tutorial-panel")
     beat.skip()
     hands.type_into(hands.find("Width"), "200 mm")
@@ -217,7 +217,7 @@ def cut(doc, path, beat):
     """The pattern as DXF, through the command and its panel."""
     Gui.Selection.addSelection(doc.Pattern)
     Gui.runCommand("BalloonWorkbench_ExportPattern")
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     Gui.Selection.clearSelection()
     hands.type_into(hands.find("File"), path.name, confirm=False)
     picture("tutorial-export")

@@ -27,7 +27,7 @@ def parts(doc, tmp_path):
 @pytest.fixture
 def panel(parts):
     Gui.runCommand("BalloonWorkbench_Advice")
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     yield parts
     if hands.panel_is_open():
         hands.press("Close")
@@ -109,7 +109,7 @@ def test_outline_of_no_use_is_told(parts):
     parts.outline.Height = 1e9
     parts.outline.recompute()
     Gui.runCommand("BalloonWorkbench_Advice")
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     assert texts() == []
     assert hands.find("AdviceMessage").text()
     hands.press("Close")

@@ -18,7 +18,7 @@ from BalloonWorkbench.gui.panels.widgets import target_file
 def panel(made):
     Gui.Selection.addSelection(made.balloon)
     Gui.runCommand("BalloonWorkbench_ExportPattern")
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     return made
 
 

@@ -29,7 +29,7 @@ def made(doc, tmp_path, monkeypatch):
     parts = create.balloon_from_sketch(doc, sketches.ring(doc), mesh_size=12, correct=False)
     Gui.Selection.addSelection(parts.pattern)
     Gui.runCommand("BalloonWorkbench_ExportPattern")
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     return parts
 
 
@@ -84,13 +84,13 @@ def lines_of_macro(monkeypatch):
     return lines
 
 
-def test_larger_than_the_bed_is_written_when_that_is_ticked(made, tmp_path, monkeypatch):
+def test_larger_than_the_bed_is_written_when_that_is_ticked(made, tmp_path, stand_in):
     choose("Tiny laser")
     assert not hands.find("WriteAnyway").isChecked()
     hands.screenshot("export_too_large")
     hands.type_into(hands.find("File"), str(tmp_path / "x.dxf"), confirm=False)
     hands.click(hands.find("WriteAnyway"), x=8)
-    lines = lines_of_macro(monkeypatch)
+    lines = lines_of_macro(stand_in)
     hands.press("Ok")
     hands.wait_until(hands.panel_is_closed)
     assert (tmp_path / "x.dxf").stat().st_size > 200
@@ -105,7 +105,7 @@ def test_tick_is_for_one_machine(made):
     assert not hands.find("WriteAnyway").isChecked()
 
 
-def test_bed_is_a_field_kept_for_the_machine(made, tmp_path, monkeypatch):
+def test_bed_is_a_field_kept_for_the_machine(made, tmp_path, stand_in):
     choose("Tiny laser")
     assert hands.find("Bed").text() == "50 x 50 mm"
     hands.type_into(hands.find("Bed"), "nonsense")
@@ -124,7 +124,7 @@ def test_bed_is_a_field_kept_for_the_machine(made, tmp_path, monkeypatch):
     assert hands.find("Bed").placeholderText() == "No limit"
     choose("Tiny laser")
     hands.type_into(hands.find("File"), str(tmp_path / "x.dxf"), confirm=False)
-    lines = lines_of_macro(monkeypatch)
+    lines = lines_of_macro(stand_in)
     hands.press("Ok")
     hands.wait_until(hands.panel_is_closed)
     assert lines[0][1] == {"machine": '"tiny"', "bed": '"900 mm x 600 mm"'}
@@ -137,7 +137,7 @@ def test_a_sketch_decides_the_size_itself(made):
     assert hands.find("WhyNotScaled").text() == "The size comes from Ring: make it smaller there."
 
 
-def test_scaled_to_fit_in_one_undo_step(tmp_path, monkeypatch, doc):
+def test_scaled_to_fit_in_one_undo_step(tmp_path, stand_in, doc):
     """The drawing is smaller, the balloon solved anew, the weld as before; one undo brings it back."""
     path = tmp_path / "square.json"
     path.write_text(json.dumps({"unit": "mm", "outer": [[0, 0], [200, 0], [200, 150], [0, 150]]}))
@@ -149,7 +149,7 @@ def test_scaled_to_fit_in_one_undo_step(tmp_path, monkeypatch, doc):
     hands.wait_until(hands.panel_is_seen)
     choose("LightBurn (laser)")
     hands.type_into(hands.find("Bed"), "160 x 120 mm")
-    lines = lines_of_macro(monkeypatch)
+    lines = lines_of_macro(stand_in)
     hands.click(hands.find("ScaleToFit"))
     hands.wait_until(lambda: parts.outline.Width.Value < 190)
     hands.wait_until(lambda: "wide instead of 200 mm" in hands.message())

@@ -50,7 +50,7 @@ def test_selected_sketch_is_inflated_at_once(rectangle):
 def test_sketch_can_be_selected_later(rectangle):
     doc = rectangle.Document
     Gui.runCommand("BalloonWorkbench_FromSketch")
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     assert "Select a sketch" in hands.find("Source").text()
     Gui.Selection.addSelection(rectangle)
     hands.wait(0.1)
@@ -90,7 +90,7 @@ def test_edit_is_one_undo_step(made):
     doc = made.balloon.Document
     volume = made.balloon.Volume.Value
     made.balloon.ViewObject.Proxy.doubleClicked(made.balloon.ViewObject)
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     hands.type_into(hands.find("Pressure"), "4 kPa")
     hands.choose(hands.find("Mode"), "Inflate as drawn")
     hands.press("Ok")
@@ -107,7 +107,7 @@ def test_cancelled_edit_changes_nothing(made):
     doc = made.balloon.Document
     volume = made.balloon.Volume.Value
     made.balloon.ViewObject.Proxy.doubleClicked(made.balloon.ViewObject)
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     hands.choose(hands.find("Mode"), "Inflate as drawn")  # it is live: the balloon follows by itself
     hands.wait_until(lambda: made.balloon.Volume.Value < volume and solved())
     hands.press("Cancel")
@@ -122,7 +122,7 @@ def test_field_of_a_bound_property_shows_it(made):
     made.balloon.setExpression("Pressure", "1 kPa + 2 kPa")
     made.balloon.Document.recompute()
     made.balloon.ViewObject.Proxy.doubleClicked(made.balloon.ViewObject)
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     assert hands.find("Pressure").property("rawValue") == pytest.approx(3)
     assert hands.find("Pressure").isEnabled()  # behind f(x) the expression can be changed
     assert hands.find("Pressure").property("expression").replace(" ", "") == "1kPa+2kPa"
@@ -131,7 +131,7 @@ def test_field_of_a_bound_property_shows_it(made):
 def test_second_panel_is_not_opened(made):
     for _ in range(2):
         made.balloon.ViewObject.Proxy.doubleClicked(made.balloon.ViewObject)
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     hands.press("Cancel")
     hands.wait_until(done)
 
@@ -153,4 +153,4 @@ def test_reopened_in_the_window(made, tmp_path):
     assert type(balloon.ViewObject.Proxy).__name__ == "BalloonView"
     assert balloon.ViewObject.DisplayMode == "Film"
     balloon.ViewObject.Proxy.doubleClicked(balloon.ViewObject)
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)

@@ -29,7 +29,7 @@ def made(doc, tmp_path):
 
 def run(name):
     Gui.runCommand(f"BalloonWorkbench_{name}")
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
 
 
 def colours_in_view():
@@ -46,7 +46,7 @@ def colours_in_view():
     return blue / len(seen), yellow / len(seen)
 
 
-def test_artwork_is_chosen_shown_written_and_undone(made, tmp_path, monkeypatch):
+def test_artwork_is_chosen_shown_written_and_undone(made, tmp_path, stand_in):
     run("Artwork")
     assert "no picture" in hands.find("ArtworkMessage").text()
     assert not hands.find("WriteArtwork").isEnabled()
@@ -59,7 +59,7 @@ def test_artwork_is_chosen_shown_written_and_undone(made, tmp_path, monkeypatch)
     art = artwork.of_balloon(made.balloon)
     assert art.Status == status.READY
     art.Resolution = 40.0
-    monkeypatch.setattr(
+    stand_in.setattr(
         hands.QtWidgets.QFileDialog, "getExistingDirectory", lambda *given: str(tmp_path / "prints")
     )
     hands.click(hands.find("WriteArtwork"))
@@ -102,9 +102,9 @@ def test_cancel_takes_the_artwork_back(made):
     assert artwork.of_balloon(made.balloon) is None
 
 
-def test_layout_on_film(made, tmp_path, monkeypatch):
+def test_layout_on_film(made, tmp_path, stand_in):
     """Six pieces on a roll; refused where they do not fit; offered for export."""
-    monkeypatch.setattr(nesting, "PACKAGE", "no_such_package")
+    stand_in.setattr(nesting, "PACKAGE", "no_such_package")
     run("Nest")
     sheet = next(obj for obj in App.ActiveDocument.Objects if kinds.is_film_sheet(obj))
     hands.find("Balloons").setValue(3)

@@ -16,7 +16,7 @@ has_tree = material_tree() is not None
 def balloon(doc):
     """Of a new balloon whose panel is open."""
     Gui.runCommand("BalloonWorkbench_FromPicture")
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     yield next(obj for obj in doc.Objects if "Film" in obj.PropertiesList)
     hands.press("Cancel")
 

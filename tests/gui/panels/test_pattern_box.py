@@ -141,7 +141,7 @@ def test_whole_number_takes_an_expression(opened):
     doc.recompute()
     assert pattern.Copies == 5
     pattern.ViewObject.Proxy.doubleClicked(pattern.ViewObject)
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     field = hands.find("Copies")
     assert express(field, "") is None
     hands.type_into(field, "2")

@@ -33,7 +33,7 @@ def no_fault():
 @pytest.fixture(autouse=True)
 def ends():
     """A window that is frozen ends the run; a box is closed."""
-    faulthandler.dump_traceback_later(120, exit=True, file=sys.__stderr__)
+    faulthandler.dump_traceback_later(hands.patience(120), exit=True, file=sys.__stderr__)
     yield
     faulthandler.cancel_dump_traceback_later()
     if box() is not None:
@@ -159,7 +159,7 @@ def test_slots_timers_and_event_handlers(made, monkeypatch):
     borders.watch()
     Gui.Selection.addSelection(made.balloon)
     Gui.runCommand("BalloonWorkbench_ColourMap")
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     monkeypatch.setattr(colour_map, "save_results", broken)
     hands.click(hands.find("SaveResults"))
     hands.wait_until(lambda: FAULT in hands.find("ColourMapMessage").text(), 5)
@@ -212,7 +212,7 @@ def test_make_it_says_why_it_cannot_go_on_and_goes_on_the_next_time(doc, monkeyp
     brush.press("PaintMake")
     hands.wait_until(brush.is_closed, 60)
     assert [doc.getObject(name).Status for name in ("Outline", "Balloon", "Pattern")] == [status.READY] * 3
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
 
 
 def test_a_glance_that_fails_is_told_and_the_next_stroke_is_looked_at(doc, monkeypatch):

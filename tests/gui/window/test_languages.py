@@ -62,7 +62,7 @@ def test_panel(speak, doc, language):
     speak(language)
     label, choice, tab = PANELS[language]
     Gui.runCommand("BalloonWorkbench_FromPicture")
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     steps, thickness = hands.find("Steps"), hands.find("Thickness")
     hands.show_tab(thickness)
     assert steps.tabText(steps.currentIndex()) == tab
@@ -77,7 +77,7 @@ def test_panel(speak, doc, language):
 def test_choice_in_another_language_reaches_the_property(speak, doc):
     speak("German")
     Gui.runCommand("BalloonWorkbench_FromPicture")
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     made = next(obj for obj in doc.Objects if "Mode" in obj.PropertiesList)
     hands.choose(hands.find("Mode"), "Wie gezeichnet aufblasen")
     assert made.Mode == "Inflate as drawn"
@@ -102,7 +102,7 @@ def test_coach(speak, doc, language):
     wire.Shape = Part.makePolygon([App.Vector(x, y) for x, y in (*corners, corners[0])])
     made = create.balloon_from_sketch(doc, wire, mesh_size=14, correct=False, intake=False)
     Gui.runCommand("BalloonWorkbench_Advice")
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     findings = hands.find("Findings")
     told = [findings.item(row).text() for row in range(findings.count())]
     assert any(text.startswith(COACH[language]) for text in told), told
@@ -118,7 +118,7 @@ def test_error_in_the_panel(speak, doc, tmp_path):
     path = tmp_path / "text.png"
     path.write_text("no picture")
     Gui.runCommand("BalloonWorkbench_FromPicture")
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     hands.type_into(hands.find("Drawing"), str(path))
     assert hands.message() == "„text.png“ ist kein lesbares Bild. Als PNG, JPEG oder BMP speichern."
     hands.press("Cancel")
@@ -203,7 +203,7 @@ def test_assembly_sheet(speak, made, language, tmp_path):
     path = tmp_path / "sheet.pdf"
     Gui.Selection.addSelection(made.balloon)
     Gui.runCommand("BalloonWorkbench_AssemblySheet")
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     title, heading, lifts = SHEETS[language]
 
     def labels():
@@ -232,18 +232,18 @@ def test_pattern_on_pages(speak, made, tmp_path):
     assert "Seite 1 von" in told
 
 
-def test_assembly_sheet_without_a_font(speak, made, monkeypatch):
+def test_assembly_sheet_without_a_font(speak, made, stand_in):
     """It will be in English; the panel says why and what to do."""
-    monkeypatch.setattr(fonts, "_JAPANESE", ())
+    stand_in.setattr(fonts, "_JAPANESE", ())
     speak("Japanese")
     Gui.Selection.addSelection(made.balloon)
     Gui.runCommand("BalloonWorkbench_AssemblySheet")
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     assert "IPAexGothic" in hands.find("AssemblyMessage").text()
     assert "フォント" in hands.find("AssemblyMessage").text()
     hands.press("Cancel")
     speak("French")
     Gui.runCommand("BalloonWorkbench_AssemblySheet")
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     assert not hands.find("AssemblyMessage").text()
     hands.press("Cancel")

@@ -73,7 +73,7 @@ os._exit(0)
     path = tmp_path / "replay.py"
     path.write_text(code, encoding="utf-8")
     ended = subprocess.run(
-        ["freecadcmd", str(path)], capture_output=True, text=True, timeout=120, check=False
+        ["freecadcmd", str(path)], capture_output=True, text=True, timeout=hands.patience(120), check=False
     )
     assert told.exists(), ended.stdout + ended.stderr
     return json.loads(told.read_text(encoding="utf-8"))
@@ -81,7 +81,7 @@ os._exit(0)
 
 def test_new_balloon_from_picture(macro, tmp_path):
     Gui.runCommand("BalloonWorkbench_FromPicture")
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     hands.type_into(hands.find("Drawing"), str(HEART))
     hands.type_into(hands.find("Width"), "120 mm")
     hands.type_into(hands.find("MeshSize"), "12 mm")
@@ -102,7 +102,7 @@ def test_new_balloon_from_picture(macro, tmp_path):
 
 def test_cancelled_balloon_leaves_no_line(doc, macro):
     Gui.runCommand("BalloonWorkbench_FromPicture")
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     hands.press("Cancel")
     assert not macro
 
@@ -159,7 +159,7 @@ def test_from_sketch(doc, macro):
     sketch = sketches.rectangle(doc, 90, 60)
     Gui.Selection.addSelection(sketch)
     Gui.runCommand("BalloonWorkbench_FromSketch")
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     hands.type_into(hands.find("MeshSize"), "15 mm")
     hands.press("Ok")
     hands.wait_until(hands.panel_is_closed, 120)
@@ -187,7 +187,7 @@ def test_recorded_call_does_not_run_twice(doc, macro):
 def test_export(doc, macro, tmp_path):
     create.balloon_from_sketch(doc, sketches.rectangle(doc, 90, 60), mesh_size=15, correct=False)
     Gui.runCommand("BalloonWorkbench_ExportPattern")
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     hands.type_into(hands.find("File"), str(tmp_path / "plate.dxf"))  # Return is OK
     hands.wait_until(hands.panel_is_closed)
     written = next(tmp_path.glob("plate*"))
@@ -205,7 +205,7 @@ def test_repair(doc, macro):
     wire.Shape = Part.makePolygon([App.Vector(x, y) for x, y in (*corners, corners[0])])
     made = create.balloon_from_sketch(doc, wire, mesh_size=14, correct=False, intake=False)
     Gui.runCommand("BalloonWorkbench_Advice")
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     findings = hands.find("Findings")
     findings.setCurrentRow(0)
     hands.wait(0.1)
@@ -232,7 +232,7 @@ def test_paint(doc, macro):
     hands.type_into(window.form.width_field, "90 mm")
     brush.press("PaintMake")
     hands.wait_until(brush.is_closed, 60)
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     hands.leave()
     made = [line for line in macro if "from_picture" in line]
     assert len(made) == 1
@@ -258,7 +258,7 @@ def test_artwork_layout_assembly_and_map(made, rectangle_file, macro, tmp_path):
         ("ColourMap", "", ""),
     ):
         Gui.runCommand(f"BalloonWorkbench_{command}")
-        hands.wait_until(hands.panel_is_open)
+        hands.wait_until(hands.panel_is_seen)
         if field:
             hands.type_into(hands.find(field), text, confirm=False)
         else:

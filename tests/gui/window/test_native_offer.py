@@ -139,7 +139,7 @@ def buttons(name):
 def test_what_works_here_offers_it_after_a_no(clone):
     preferences.put(native_offer.KEY, False)
     Gui.runCommand("BalloonWorkbench_Equipment")
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     text = hands.find("Equipment").text()
     assert "has not been built" in text
     assert "20 to 30 times slower" in text
@@ -157,7 +157,7 @@ def test_a_platform_without_one_is_not_asked(clone, monkeypatch):
     hands.wait(0.3)
     assert not boxes()
     Gui.runCommand("BalloonWorkbench_Equipment")
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     assert "There is no native solver for linux-armv7l." in hands.find("Equipment").text()
     assert not buttons("FetchSolver")
     hands.press("Close")

@@ -86,7 +86,7 @@ def from_picture(_document):
 
 
 def from_sketch(document):
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(document.Plate)
     hands.wait(0.1)
@@ -149,13 +149,13 @@ def run(name, work, document):
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(document.Balloon)
     Gui.runCommand(f"BalloonWorkbench_{name}")
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     work(document)
 
 
 def open_panel(obj):
     obj.ViewObject.Proxy.doubleClicked(obj.ViewObject)
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
 
 
 def edit_balloon(document):

@@ -7,6 +7,7 @@ from functools import partial
 
 from BalloonWorkbench.app.engine import bag_result
 from BalloonWorkbench.app.properties.quantities import cubic_metres
+from BalloonWorkbench.core.checkpoint import stoppable
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.making.welding import welding_time
 from BalloonWorkbench.core.results.body_figures import body_figures
@@ -62,8 +63,9 @@ class _Looking:
     def __init__(self, design, film):
         self._design, self._film = design, film
 
-    def solve(self, _progress):
-        return body_figures(self._design, self._film)
+    def solve(self, progress):
+        with stoppable(progress):
+            return body_figures(self._design, self._film)
 
 
 def quick_rows(balloon) -> list[tuple[str, str]]:

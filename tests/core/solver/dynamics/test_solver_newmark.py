@@ -208,7 +208,7 @@ def test_second_order_in_time() -> None:
     ).y[:3, -1]
     assert np.linalg.norm(exact - positions[2]) > 0.05
     errors = []
-    for steps in (100, 200, 400):
+    for steps in (50, 100, 200):
         newmark = Newmark(problem, Scheme(tolerance=1e-13))
         end = moved(newmark, newmark.released(positions, directors, 0.0), 1.0, steps)[-1]
         errors.append(np.linalg.norm(end.positions[2] - exact))
@@ -260,9 +260,9 @@ def test_a_step_too_long_is_refused() -> None:
     assert newmark.step(start, 1e-3, 1.0) is not None
 
 
-@pytest.mark.parametrize("name", ["square", "heart", "star"])
+@pytest.mark.parametrize("name", ["square", "heart"])
 def test_same_rest_as_the_quasi_static_method(name: str) -> None:
-    outline = drawn(name)
+    outline = drawn(name, 200)
     quasi_static = inflate(outline, MYLAR, 2000.0)
     blown = inflate(outline, MYLAR, 2000.0, backend="newmark")
     assert blown.report.backend == "newmark"
@@ -273,7 +273,7 @@ def test_same_rest_as_the_quasi_static_method(name: str) -> None:
 
 def test_a_disc_is_that_of_the_axisymmetric_solution() -> None:
     """For k = 200, by way of the quasi-static method: its disc of the same mesh, and a finer one."""
-    disc = panel("disc", 400)
+    disc = panel("disc", 250)
     blown, quasi_static = (inflate(disc, film(200), PRESSURE, backend=name) for name in ("newmark", None))
     fine = inflate(panel("disc", 1500), film(200), PRESSURE)
     assert blown.report.converged
@@ -285,7 +285,7 @@ def test_a_disc_is_that_of_the_axisymmetric_solution() -> None:
 
 def test_both_panels() -> None:
     """Tied seams: two panels move as one with its mirror image."""
-    square = drawn("square", 120)
+    square = drawn("square", 90)
     one = inflate(square, MYLAR, 2000.0, backend="newmark")
     both = inflate(square, MYLAR, 2000.0, backend="newmark", model=Model(two_panels=True))
     assert both.report.converged
