@@ -5,15 +5,18 @@ bench.py [--sizes N ...] [--evolver-sizes N ...]
 bench.py --commands  only whole commands: the rest of the page stays as it is
 bench.py --account   only where the time of a cold inflation goes, for the disc: the rest of the page stays
 bench.py --strokes   only how soon a stroke is a balloon on the screen: the rest of the page stays as it is
+bench.py --studies 1000   only how much of the machine a study uses, what kills cost: build/bench/studies.json
 """
 
 from __future__ import annotations
 
 import argparse
+import json
 import sys
+import tempfile
 from pathlib import Path
 
-from speed import commands, page, strokes, suite
+from speed import commands, page, strokes, studies, suite
 
 ROOT = Path(__file__).resolve().parents[1]
 
@@ -26,9 +29,16 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("--strokes", action="store_true")
     parser.add_argument("--commands", action="store_true")
     parser.add_argument("--account", action="store_true")
+    parser.add_argument("--studies", type=int, metavar="BALLOONS")
     options = parser.parse_args(arguments)
     folder = ROOT / "build" / "bench"
     folder.mkdir(parents=True, exist_ok=True)
+    if options.studies:
+        with tempfile.TemporaryDirectory(dir=folder) as place:
+            figures = json.dumps(studies.measure(Path(place), options.studies), indent=2)
+        (folder / "studies.json").write_text(figures + "\n", encoding="utf-8")
+        sys.stdout.write(figures + "\n")
+        return 0
     file = ROOT / "docs" / "benchmarks.md"
     if options.commands:
         measured = commands.measure(folder)

@@ -67,7 +67,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
                     run.complain(sentence)
                 options = parser().parse_args(arguments)
                 if options.command == STUDY:
-                    return _study(options, run.say)
+                    return run.study(options)
                 if options.command != FETCH:
                     return run.command(options)
             return run.fetch_solver()  # into the user's own home, if anywhere there
@@ -94,6 +94,7 @@ class _Run:
         self._left_out: list[str] = []
         self._many = False  # panels, not two equal ones
         self._fault: ProgramFault | None = None
+        self._left = "no file was written"
 
     def complain(self, text: object) -> None:
         """One line on stderr, in the language of the run."""
@@ -125,8 +126,15 @@ class _Run:
     def outcome(self) -> str:
         """Whether files were written, as the end of a sentence."""
         if not self._paths:
-            return "no file was written"
+            return self._left
         return f"all files were written before to {self._paths[0].parent}"
+
+    def study(self, options: argparse.Namespace) -> int:
+        """Do what the options of a study say."""
+        from BalloonWorkbench.cli.studies import command  # only here: no other command needs it
+
+        self._left = "the balloons that were made stay, and the same command goes on"
+        return command.run(options, self.say)
 
     def command(self, options: argparse.Namespace) -> int:
         """Do what the options say."""
@@ -296,12 +304,6 @@ class _Run:
             self.complain(f"The summary cannot be shown ({problem.strerror}); {self.outcome()}.")
             return console.UNSHOWN
         return 0
-
-
-def _study(options: argparse.Namespace, say: Say) -> int:
-    from BalloonWorkbench.cli.studies import command  # only here: no other command needs it
-
-    return command.run(options, say)
 
 
 def run_quietly(options: argparse.Namespace) -> None:

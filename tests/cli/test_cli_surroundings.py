@@ -17,7 +17,7 @@ from typing import NoReturn
 
 import pytest
 
-from BalloonWorkbench.cli import command_line, document, freecad_process, settings
+from BalloonWorkbench.cli import command_line, document, freecad_process
 from BalloonWorkbench.core.errors import MissingPackageError
 
 ROOT = Path(__file__).parents[2]
@@ -131,7 +131,7 @@ def refuse_work(monkeypatch: pytest.MonkeyPatch) -> None:
     def work(*_args: object, **_names: object) -> NoReturn:
         pytest.fail("it was noticed after the work only")
 
-    monkeypatch.setattr(settings, "make_balloon", work)
+    monkeypatch.setattr(command_line, "make_balloon", work)
 
 
 @pytest.mark.parametrize(
@@ -190,19 +190,19 @@ def interrupt(number: int) -> str:
     heard = "signal.signal(signal.SIGINT, signal.default_int_handler)"
     heard += "; signal.signal(signal.SIGHUP, signal.SIG_DFL)"
     return (
-        f"import os, signal; {heard}; from BalloonWorkbench.cli import command_line, settings; WHERE = {act}"
+        f"import os, signal; {heard}; from BalloonWorkbench.cli import command_line as cli; cli.WHERE = {act}"
     )
 
 
 @pytest.mark.parametrize(
     ("number", "where"),
-    [(signal.SIGINT, "settings.make_balloon"), (signal.SIGHUP, "settings.make_balloon"),
-     (signal.SIGINT, "command_line.summary"), (signal.SIGTERM, "command_line.summary")],
+    [(signal.SIGINT, "make_balloon"), (signal.SIGHUP, "make_balloon"), (signal.SIGINT, "summary"),
+     (signal.SIGTERM, "summary")],
 )  # fmt: skip
 def test_what_is_said_of_an_interruption_is_true(number: signal.Signals, where: str, box: Path) -> None:
     ended = run(box, *command(box), before=interrupt(number).replace("WHERE", where))
     assert ended.returncode == (130 if number == signal.SIGINT else -number)
-    if where == "settings.make_balloon":
+    if where == "make_balloon":
         assert "no file was written" in told(ended)
         assert not (box.parent / "out").exists()
     else:
@@ -279,12 +279,12 @@ def test_the_folder_is_gone_when_the_files_are_written(
 ) -> None:
     out = box.parent / "out"
     out.mkdir()
-    make = settings.make_balloon
+    make = command_line.make_balloon
 
     def and_remove(*args, **names):
         out.rmdir()
         return make(*args, **names)
 
-    monkeypatch.setattr(settings, "make_balloon", and_remove)
+    monkeypatch.setattr(command_line, "make_balloon", and_remove)
     assert command_line.main(command(box, str(out))) == 0
     assert written(out) == FILES

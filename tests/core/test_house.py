@@ -45,7 +45,7 @@ ROOMS += ["machines", "pictures", "artwork", "scenes", "assembly_sheet", "advice
 ROOMS += ["studies"]
 
 OPTIONAL = ["cv2", "scipy", "ezdxf", "shapely", "pythoncdt", "matplotlib", "PIL"]
-OPTIONAL += ["spyrrow"]
+OPTIONAL += ["spyrrow", "distributed", "dask", "dask_jobqueue", "dask_kubernetes", "pyarrow"]
 
 
 def sources(*suffixes: str) -> list[Path]:

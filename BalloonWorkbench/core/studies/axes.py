@@ -66,8 +66,11 @@ def axis_of(column: Column, data: Any, folder: Path) -> Axis:
 
 def _files(pattern: str, folder: Path) -> Axis:
     """The files of a pattern in the order of their names, as seen from the folder."""
-    names = sorted(Path(name).as_posix() for name in glob(pattern, root_dir=folder, recursive=True))
-    names = [name for name in names if (folder / name).is_file()]
+    try:
+        names = sorted(Path(name).as_posix() for name in glob(pattern, root_dir=folder, recursive=True))
+        names = [name for name in names if (folder / name).is_file()]
+    except ValueError:  # letters that no name has
+        names = []
     if not names:
         raise InputError(f"No file is like '{pattern}' in '{folder}'. Check the pattern and the folder.")
     return names

@@ -100,7 +100,7 @@ class Column:
 
     def _of_study(self, text: str, folder: Path) -> Value:
         if self.name == INPUT:
-            path = folder / text
+            path = Path.cwd() / folder / text
             return Value((str(path),), [path.name, content_hash(path)])
         if text not in (DESIGN, INFLATE):
             raise InputError(f"'{text}' is no command of a study: write {DESIGN} or {INFLATE}.")
@@ -143,7 +143,7 @@ def _name(option: Option) -> str:
 
 def _file(option: Option, text: str, folder: Path) -> Path | None:
     """The file that a value names, where it does."""
-    path = folder / text
+    path = Path.cwd() / folder / text
     if option.kind is Kind.FILE:
         return path
     named = option.kind is Kind.CHOICE and option.metavar and text.lower().endswith(".json")

@@ -80,7 +80,7 @@ def test_names_are_taken_as_people_write_them(text: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "near"), [("presure", "pressure"), ("widht", "width"), ("mesh", "mesh-size")]
+    ("text", "near"), [("pressures", "pressure"), ("widths", "width"), ("mesh", "mesh-size")]
 )
 def test_an_unknown_column_is_told_with_the_nearest(text: str, near: str) -> None:
     with pytest.raises(InputError, match=rf"'{text}'.*\b{near}\b"):

@@ -127,7 +127,7 @@ def test_a_scheduler_that_is_not_there(folder: StudyFolder, monkeypatch: pytest.
 
 def test_a_scheduler_without_workers(folder: StudyFolder) -> None:
     with (
-        distributed.LocalCluster(n_workers=0, processes=False, dashboard_address=None) as cluster,
+        distributed.LocalCluster(n_workers=0, processes=False, dashboard_address=":0") as cluster,
         pytest.raises(InputError, match="No worker of Dask can be reached"),
     ):
         run(folder, scheduler=cluster.scheduler_address, patience=0.2)
@@ -135,7 +135,7 @@ def test_a_scheduler_without_workers(folder: StudyFolder) -> None:
 
 def test_a_scheduler_by_its_address(folder: StudyFolder) -> None:
     with distributed.LocalCluster(
-        n_workers=1, processes=False, dashboard_address=None, protocol="tcp://"
+        n_workers=1, processes=False, dashboard_address=":0", protocol="tcp://"
     ) as cluster:
         assert len(run(folder, scheduler=cluster.scheduler_address)) == len(JOBS)
 
@@ -154,7 +154,7 @@ def test_clusters_are_made_by_their_own_packages(
 
     def make(**settings: Any) -> Any:
         asked.append(settings)
-        cluster = distributed.LocalCluster(n_workers=1, processes=False, dashboard_address=None)
+        cluster = distributed.LocalCluster(n_workers=1, processes=False, dashboard_address=":0")
         cluster.scale = asked.append
         return cluster
 

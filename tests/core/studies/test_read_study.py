@@ -118,7 +118,7 @@ def test_shares_have_every_balloon_once(place: Path) -> None:
 @pytest.mark.parametrize(
     ("data", "sentence"),
     [
-        ({"vary": {"input": "a.png", "widht": [1]}}, "widht"),
+        ({"vary": {"input": "a.png", "widths": [1]}}, "widths"),
         ({"vary": {"width": [1]}}, "no inputs"),
         ({"vary": {"input": []}}, "no values"),
         ({"vary": {"input": {"glob": "*.dxf"}}}, r"'\*\.dxf'"),

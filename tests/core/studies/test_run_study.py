@@ -197,6 +197,18 @@ def test_a_plan_works_nothing_out(study: Study, tmp_path: Path) -> None:
     assert plan_study(study, tmp_path / "out").there == 3
 
 
+def test_a_table_in_parquet(study: Study, tmp_path: Path) -> None:
+    """With numbers as numbers and nothing where there is none."""
+    parquet = pytest.importorskip("pyarrow.parquet")
+    run_study(study, tmp_path / "out", Pretending())
+    table = parquet.read_table(tmp_path / "out" / "table.parquet").to_pylist()
+    rows = rows_of(tmp_path / "out")
+    assert [*table[0]] == [*rows[0]]
+    assert [row["volume_m3"] for row in table] == [0.1, 0.2, 0.3, 0.2, 0.1, None, None, 0.5]
+    assert [row["converged"] for row in table[:6]] == [True] * 5 + [None]
+    assert [row["failure"] for row in table] == [row["failure"] for row in rows]
+
+
 def test_progress_is_told(study: Study, tmp_path: Path) -> None:
     seen: list[tuple[int, int]] = []
     run_study(study, tmp_path / "out", Pretending(), observe=lambda done, of, _last: seen.append((done, of)))

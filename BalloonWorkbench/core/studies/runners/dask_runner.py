@@ -22,7 +22,7 @@ _AHEAD = 2  # chunks of a worker's thread that wait at the scheduler
 _DEATHS = 10  # of workers over the same chunk, each of which Dask counts four times
 _CONNECTING = 15.0  # s
 #: Of a cluster of this machine: one job a process, no web page, no word on what the study tells itself.
-_QUIET = {"threads_per_worker": 1, "dashboard_address": None, "silence_logs": logging.CRITICAL}
+_QUIET = {"threads_per_worker": 1, "dashboard_address": ":0", "silence_logs": logging.CRITICAL}
 
 
 @dataclass(frozen=True)
