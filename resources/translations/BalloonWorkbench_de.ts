@@ -975,8 +975,24 @@
 <context>
     <name>BalloonWorkbench</name>
     <message>
+        <source> It may have lacked memory: take a coarser mesh.</source>
+        <translation> Vielleicht fehlte Arbeitsspeicher: ein gröberes Netz nehmen.</translation>
+    </message>
+    <message>
         <source> is not ready: </source>
         <translation> ist nicht bereit: </translation>
+    </message>
+    <message>
+        <source>"hosts" is no list: write {0}.</source>
+        <translation>„hosts“ ist keine Liste: {0} schreiben.</translation>
+    </message>
+    <message>
+        <source>"{0}" cannot be read: write {"kind": "latin-hypercube", "rows": 100, "seed": 1}.</source>
+        <translation>„{0}“ ist nicht zu lesen: {"kind": "latin-hypercube", "rows": 100, "seed": 1} schreiben.</translation>
+    </message>
+    <message>
+        <source>"{0}" has one result and its value: write {"lift": "20 g"}.</source>
+        <translation>„{0}“ hat ein Ergebnis und seinen Wert: {"lift": "20 g"} schreiben.</translation>
     </message>
     <message>
         <source>"{0}" is an edge of {1} panels: name the face too, as in {2}.</source>
@@ -1003,8 +1019,36 @@
         <translation>„{0}“ darf {1} nicht benutzen.</translation>
     </message>
     <message>
+        <source>"{0}" of "{1}" is no whole number: write one.</source>
+        <translation>„{0}“ von „{1}“ ist keine ganze Zahl: eine schreiben.</translation>
+    </message>
+    <message>
+        <source>"{0}" of the study is no JSON object: write {"width": ...}.</source>
+        <translation>„{0}“ der Studie ist kein JSON-Objekt: {"width": ...} schreiben.</translation>
+    </message>
+    <message>
+        <source>"{0}" of the study is no list of JSON objects: write [{"input": ...}, ...].</source>
+        <translation>„{0}“ der Studie ist keine Liste von JSON-Objekten: [{"input": ...}, ...] schreiben.</translation>
+    </message>
+    <message>
+        <source>"{0}" says what may be chosen: write {"width": ["100mm", "400mm"]}.</source>
+        <translation>„{0}“ sagt, was gewählt werden darf: {"width": ["100mm", "400mm"]} schreiben.</translation>
+    </message>
+    <message>
+        <source>'{0}' cannot be kept: write {1} or {2}.</source>
+        <translation>„{0}“ lässt sich nicht aufheben: {1} oder {2} schreiben.</translation>
+    </message>
+    <message>
         <source>'{0}' cannot be read ({1}). Check the name and its access.</source>
         <translation>„{0}“ kann nicht gelesen werden ({1}). Name und Zugriff prüfen.</translation>
+    </message>
+    <message>
+        <source>'{0}' cannot be read ({1}): name a JSON file of settings.</source>
+        <translation>„{0}“ ist nicht zu lesen ({1}): eine JSON-Datei mit Einstellungen angeben.</translation>
+    </message>
+    <message>
+        <source>'{0}' has a column twice.</source>
+        <translation>„{0}“ hat eine Spalte zweimal.</translation>
     </message>
     <message>
         <source>'{0}' has its own panels: leave out what you give of gores or of a side band.</source>
@@ -1075,12 +1119,80 @@
         <translation>„{0}“ ist weder SVG noch DXF noch JSON. Die Zeichnung als eines davon speichern.</translation>
     </message>
     <message>
+        <source>'{0}' is neither yes nor no: write one of them for {1}.</source>
+        <translation>„{0}“ ist weder yes noch no: für {1} eines davon schreiben.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no JSON ({1}{2}).</source>
+        <translation>„{0}“ ist kein JSON ({1}{2}).</translation>
+    </message>
+    <message>
+        <source>'{0}' is no JSON object: write {"queue": ...}.</source>
+        <translation>„{0}“ ist kein JSON-Objekt: {"queue": ...} schreiben.</translation>
+    </message>
+    <message>
         <source>'{0}' is no closed body: leave out --panels, or give an STL, OBJ, PLY, 3MF or STEP.</source>
         <translation>„{0}“ ist kein geschlossener Körper: --panels weglassen oder eine STL-, OBJ-, PLY-, 3MF- oder STEP-Datei geben.</translation>
     </message>
     <message>
+        <source>'{0}' is no cluster: write one of {1}.</source>
+        <translation>„{0}“ ist kein Cluster: eines von {1} schreiben.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no command of a study: write {1} or {2}.</source>
+        <translation>„{0}“ ist kein Befehl einer Studie: {1} oder {2} schreiben.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no difference of temperatures: write 5K, 5C or 9F.</source>
+        <translation>„{0}“ ist kein Temperaturunterschied: 5K, 5C oder 9F schreiben.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no file: name one.</source>
+        <translation>„{0}“ ist keine Datei: eine angeben.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no number for {1}.</source>
+        <translation>„{0}“ ist keine Zahl für {1}.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no single value for {1}.</source>
+        <translation>„{0}“ ist kein einzelner Wert für {1}.</translation>
+    </message>
+    <message>
         <source>'{0}' is no size: write 500mm for a width, 500mmx700mm for width and height.</source>
         <translation>„{0}“ ist keine Größe: 500mm für eine Breite schreiben, 500mmx700mm für Breite und Höhe.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no table ({1}): save it as CSV.</source>
+        <translation>„{0}“ ist keine Tabelle ({1}): als CSV speichern.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no text in UTF-8: save it as one.</source>
+        <translation>„{0}“ ist kein Text in UTF-8: als solchen speichern.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no text in UTF-8: save the table as CSV in UTF-8.</source>
+        <translation>„{0}“ ist kein Text in UTF-8: die Tabelle als CSV in UTF-8 speichern.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no value for an option of sbatch: write one line.</source>
+        <translation>„{0}“ ist kein Wert für eine Option von sbatch: eine Zeile schreiben.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no value for {1}.</source>
+        <translation>„{0}“ ist kein Wert für {1}.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no value for {1}: write a number in its unit.</source>
+        <translation>„{0}“ ist kein Wert für {1}: eine Zahl in dessen Einheit schreiben.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no way to take samples: write {1} or {2}.</source>
+        <translation>„{0}“ ist keine Art, Stichproben zu nehmen: {1} oder {2} schreiben.</translation>
+    </message>
+    <message>
+        <source>'{0}' is none of {1} for {2}.</source>
+        <translation>„{0}“ ist keines von {1} für {2}.</translation>
     </message>
     <message>
         <source>'{0}' is not a drawing that can be read. Use PNG, JPEG, BMP, SVG, DXF or JSON.</source>
@@ -1127,6 +1239,10 @@
         <translation>, {0} davon gespiegelt</translation>
     </message>
     <message>
+        <source>--jobs and --timeout are numbers above 0.</source>
+        <translation>--jobs und --timeout sind Zahlen über 0.</translation>
+    </message>
+    <message>
         <source>--oversize scale makes the balloon smaller until it fits, --oversize write writes the file anyway, --bed tells how large the bed is.</source>
         <translation>--oversize scale verkleinert den Ballon, bis er passt, --oversize write schreibt die Datei trotzdem, --bed sagt, wie groß das Bett ist.</translation>
     </message>
@@ -1141,6 +1257,10 @@
     <message>
         <source>95 % below {} ({})</source>
         <translation>95 % unter {} ({})</translation>
+    </message>
+    <message>
+        <source>95 % of it below</source>
+        <translation>95 % davon unter</translation>
     </message>
     <message>
         <source>A balloon has no "{0}": it has {1}.</source>
@@ -1193,6 +1313,14 @@
     <message>
         <source>A file of this name is there already</source>
         <translation>Eine Datei mit diesem Namen gibt es schon</translation>
+    </message>
+    <message>
+        <source>A goal has no '{0}': it has one of {1}, and {2} and {3}.</source>
+        <translation>Ein Ziel hat kein „{0}“: Es hat eines von {1} sowie {2} und {3}.</translation>
+    </message>
+    <message>
+        <source>A goal has one of {0}: write {1}.</source>
+        <translation>Ein Ziel hat eines von {0}: {1} schreiben.</translation>
     </message>
     <message>
         <source>A hole meets the outline or another hole at {0}; keep some film between them.</source>
@@ -1251,6 +1379,10 @@
         <translation>Eine Zahl eines Füllhalses ist leer.</translation>
     </message>
     <message>
+        <source>A package for this cluster is missing: {0}</source>
+        <translation>Ein Paket für diesen Cluster fehlt: {0}</translation>
+    </message>
+    <message>
         <source>A passage of {0} is left open in the weld at {1}, so that air reaches both sides.</source>
         <translation>Ein Durchgang von {0} bleibt bei {1} in der Schweißnaht offen, damit Luft auf beide Seiten kommt.</translation>
     </message>
@@ -1279,6 +1411,18 @@
         <translation>Eine Ebene braucht ihre Normale. Eine angeben.</translation>
     </message>
     <message>
+        <source>A process beside this one does not start: {0}</source>
+        <translation>Ein Prozess neben diesem startet nicht: {0}</translation>
+    </message>
+    <message>
+        <source>A process beside this one is of version {0}, not of {1}: install one of them anew.</source>
+        <translation>Ein Prozess neben diesem hat Version {0} statt {1}: einen von beiden neu installieren.</translation>
+    </message>
+    <message>
+        <source>A script needs to know how many shards it has: give --shards a number.</source>
+        <translation>Ein Skript muss wissen, wie viele Teile es hat: --shards eine Zahl geben.</translation>
+    </message>
+    <message>
         <source>A seam cannot be moved so far: it would meet another one.</source>
         <translation>Eine Naht lässt sich nicht so weit verschieben: Sie würde auf eine andere treffen.</translation>
     </message>
@@ -1303,8 +1447,28 @@
         <translation>Eine Skizze mit Maßen: eine Zelle der Tabelle ändern, und alles folgt</translation>
     </message>
     <message>
+        <source>A spread of {0} % leaves nothing of the {1}: give {2} at most {3} %.</source>
+        <translation>Eine Streuung von {0} % lässt nichts übrig ({1}): für {2} höchstens {3} % angeben.</translation>
+    </message>
+    <message>
         <source>A strict reader that wants plain polylines. Layers are told apart by colour: cut red, blue and orange, set the output of all others to no.</source>
         <translation>Ein strenger Leser, der schlichte Polylinien will. Ebenen werden durch Farben unterschieden: Rot, Blau und Orange schneiden, die Ausgabe aller anderen auf Nein stellen.</translation>
+    </message>
+    <message>
+        <source>A study has no '{0}': it has {1} and {2}.</source>
+        <translation>Eine Studie hat kein „{0}“: Sie hat {1} und {2}.</translation>
+    </message>
+    <message>
+        <source>A study of tolerances is about one balloon: give {0} a single value.</source>
+        <translation>Eine Toleranzstudie gilt einem Ballon: {0} einen einzelnen Wert geben.</translation>
+    </message>
+    <message>
+        <source>A study of tolerances says what strays, such as {"cut": {"normal": "0.2mm"}}.</source>
+        <translation>Eine Toleranzstudie sagt, was streut, zum Beispiel {"cut": {"normal": "0.2mm"}}.</translation>
+    </message>
+    <message>
+        <source>A study of tolerances takes 1 to {0} samples, not {1}: {2} tell a lot.</source>
+        <translation>Eine Toleranzstudie nimmt 1 bis {0} Stichproben, nicht {1}: {2} sagen schon viel.</translation>
     </message>
     <message>
         <source>A volume of {0} cannot be made: give one such as 10l.</source>
@@ -1341,6 +1505,14 @@
     <message>
         <source>A weld that crumples can be simulated of one panel and its mirror image alone: choose the elastic weld, or one panel and its mirror image.</source>
         <translation>Eine Naht, die knittert, lässt sich nur mit einer Bahn und ihrem Spiegelbild simulieren: die elastische Naht wählen, oder eine Bahn und ihr Spiegelbild.</translation>
+    </message>
+    <message>
+        <source>A worker does not have this program ({0}): install it everywhere.</source>
+        <translation>Ein Worker hat dieses Programm nicht ({0}): überall installieren.</translation>
+    </message>
+    <message>
+        <source>A worker of Dask failed ({0}: {1}).</source>
+        <translation>Ein Worker von Dask ist gescheitert ({0}: {1}).</translation>
     </message>
     <message>
         <source>A {0} of {1} cannot be made; choose one between 1 mm and 100 m.</source>
@@ -1427,8 +1599,16 @@
         <translation>Ein Füllhals von {0} reicht nicht über den Schnitt hinaus: mindestens {1} geben.</translation>
     </message>
     <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
         <source>Animate inflation</source>
         <translation>Aufblasen animieren</translation>
+    </message>
+    <message>
+        <source>Another study is running in '{0}': wait for it, or choose another folder.</source>
+        <translation>In „{0}“ läuft eine andere Studie: auf sie warten oder einen anderen Ordner wählen.</translation>
     </message>
     <message>
         <source>Any</source>
@@ -1467,6 +1647,10 @@
         <translation>Montageblatt nach {} geschrieben</translation>
     </message>
     <message>
+        <source>At least 95 of 100 balloons bear {0} with their margin, by {1} samples and with a confidence of 95 %.</source>
+        <translation>Mindestens 95 von 100 Ballons halten {0} mit ihrer Reserve aus, nach {1} Stichproben und mit 95 % Sicherheit.</translation>
+    </message>
+    <message>
         <source>At worst the film lies {0} on the wrong side of the body, and a margin of {1} was asked for. Take more panels, or a larger margin.</source>
         <translation>Die Folie liegt schlimmstenfalls {0} auf der falschen Seite des Körpers, verlangt war ein Abstand von {1}. Mehr Bahnen nehmen oder einen größeren Abstand.</translation>
     </message>
@@ -1495,8 +1679,16 @@
         <translation>Ballon</translation>
     </message>
     <message>
+        <source>Balloon as a GLB file, for 3D programs</source>
+        <translation>Ballon als GLB-Datei, für 3D-Programme</translation>
+    </message>
+    <message>
         <source>Balloon film</source>
         <translation>Ballonfolie</translation>
+    </message>
+    <message>
+        <source>Balloon of row {0}</source>
+        <translation>Ballon der Zeile {0}</translation>
     </message>
     <message>
         <source>Balloon pattern</source>
@@ -1515,6 +1707,14 @@
         <translation>Ballons von jedem</translation>
     </message>
     <message>
+        <source>Balloons: {0}, of these are there: {1}</source>
+        <translation>Ballons: {0}, davon schon da: {1}</translation>
+    </message>
+    <message>
+        <source>Balloons: {0}, worked out now: {1}, of these failed: {2}</source>
+        <translation>Ballons: {0}, jetzt berechnet: {1}, davon gescheitert: {2}</translation>
+    </message>
+    <message>
         <source>Bed</source>
         <translation>Bett</translation>
     </message>
@@ -1525,6 +1725,10 @@
     <message>
         <source>Beside the document</source>
         <translation>Neben dem Dokument</translation>
+    </message>
+    <message>
+        <source>Best of {0} balloons: {1}, with {2}.</source>
+        <translation>Bester von {0} Ballons: {1}, mit {2}.</translation>
     </message>
     <message>
         <source>Black</source>
@@ -1585,6 +1789,14 @@
     <message>
         <source>Cannot write to {0}: {1}. Choose another folder, or make room there.</source>
         <translation>In {0} kann nicht geschrieben werden: {1}. Einen anderen Ordner wählen oder dort Platz schaffen.</translation>
+    </message>
+    <message>
+        <source>Cannot write {0}: {1}. Make room there and start the study again; no balloon is lost.</source>
+        <translation>{0} kann nicht geschrieben werden: {1}. Dort Platz schaffen und die Studie noch einmal starten; kein Ballon geht verloren.</translation>
+    </message>
+    <message>
+        <source>Charts</source>
+        <translation>Diagramme</translation>
     </message>
     <message>
         <source>Check the size: the 100 mm bar on the cut file or print must measure 100 mm.</source>
@@ -1803,6 +2015,10 @@
         <translation>In der Ansicht ziehen</translation>
     </message>
     <message>
+        <source>Drag to turn, turn the wheel to zoom; keys: arrows, plus, minus, Home.</source>
+        <translation>Ziehen dreht, das Mausrad zoomt; Tasten: Pfeile, Plus, Minus, Pos1.</translation>
+    </message>
+    <message>
         <source>Draw a closed line, or paint an area: it becomes a balloon.</source>
         <translation>Eine geschlossene Linie zeichnen oder eine Fläche malen: Sie wird ein Ballon.</translation>
     </message>
@@ -1881,6 +2097,18 @@
     <message>
         <source>Eraser</source>
         <translation>Radierer</translation>
+    </message>
+    <message>
+        <source>Errors as large as these leave no panel: give smaller ones.</source>
+        <translation>Bei so großen Abweichungen bleibt keine Bahn übrig: kleinere angeben.</translation>
+    </message>
+    <message>
+        <source>Errors of {0} stay alike over a length above 0, such as 50mm.</source>
+        <translation>Abweichungen von {0} bleiben sich über eine Länge über 0 ähnlich, zum Beispiel 50mm.</translation>
+    </message>
+    <message>
+        <source>Errors that stay alike over {0} alone are too fine for a seam of {1}: give at least {2} as 'along'.</source>
+        <translation>Abweichungen, die sich nur über {0} ähnlich bleiben, sind zu fein für eine Naht von {1}: als „along“ mindestens {2} angeben.</translation>
     </message>
     <message>
         <source>Every layer becomes a colour of the cut list; layers that share a colour would be merged. Set the import unit to millimetres. Cut red, blue and orange only and switch the output of all others off; the LightBurn project has them on tool layers already.</source>
@@ -2007,6 +2235,10 @@
         <translation>Eigene Folie</translation>
     </message>
     <message>
+        <source>Film that it takes</source>
+        <translation>Benötigte Folie</translation>
+    </message>
+    <message>
         <source>Film width</source>
         <translation>Folienbreite</translation>
     </message>
@@ -2063,6 +2295,10 @@
         <translation>Erzwungen</translation>
     </message>
     <message>
+        <source>Form</source>
+        <translation>Form</translation>
+    </message>
+    <message>
         <source>Frames are even in movement, not in time. Only the film has mass, the gas has none.</source>
         <translation>Die Bilder sind gleichmäßig in der Bewegung, nicht in der Zeit. Nur die Folie hat Masse, das Gas keine.</translation>
     </message>
@@ -2107,6 +2343,10 @@
         <translation>Gas</translation>
     </message>
     <message>
+        <source>Gas that it takes, at the pressure outside</source>
+        <translation>Benötigtes Gas, beim Druck außen</translation>
+    </message>
+    <message>
         <source>Give --artwork for the front too.</source>
         <translation>--artwork auch für die Vorderseite angeben.</translation>
     </message>
@@ -2115,12 +2355,24 @@
         <translation>Eine Zahl von Bahnen angeben, in die der Körper geteilt wird.</translation>
     </message>
     <message>
+        <source>Give a study either "{0}" or "{1}".</source>
+        <translation>Einer Studie entweder „{0}“ oder „{1}“ geben.</translation>
+    </message>
+    <message>
         <source>Give either --material, or all of --young, --poisson and --thickness.</source>
         <translation>Entweder --material angeben oder alle drei: --young, --poisson und --thickness.</translation>
     </message>
     <message>
+        <source>Give either --scheduler or --dask.</source>
+        <translation>Entweder --scheduler oder --dask angeben.</translation>
+    </message>
+    <message>
         <source>Give either a volume or a lift as the goal.</source>
         <translation>Entweder ein Volumen oder einen Auftrieb als Ziel angeben.</translation>
+    </message>
+    <message>
+        <source>Give {0} either "{1}" or "{2}", {3}.</source>
+        <translation>{0} entweder „{1}“ oder „{2}“ geben, {3}.</translation>
     </message>
     <message>
         <source>Given</source>
@@ -2227,6 +2479,10 @@
         <translation>Löcher des Netzes, die geschlossen wurden: {0}.</translation>
     </message>
     <message>
+        <source>Hours of welding, where they are known</source>
+        <translation>Stunden des Schweißens, wo sie bekannt sind</translation>
+    </message>
+    <message>
         <source>How a balloon follows its pattern can be worked out for an elastic weld alone: choose that one.</source>
         <translation>Wie ein Ballon seinem Schnittmuster folgt, lässt sich nur für eine elastische Naht berechnen: diese wählen.</translation>
     </message>
@@ -2269,6 +2525,10 @@
     <message>
         <source>In no seam yet: {}</source>
         <translation>Noch in keiner Naht: {}</translation>
+    </message>
+    <message>
+        <source>In {0} of {1} samples the pressure is above the safe one: fill it less.</source>
+        <translation>In {0} von {1} Stichproben ist der Druck höher als der sichere: weniger füllen.</translation>
     </message>
     <message>
         <source>Inflate as drawn</source>
@@ -2343,6 +2603,10 @@
         <translation>Lage</translation>
     </message>
     <message>
+        <source>It meets what it was designed for</source>
+        <translation>Er erfüllt, wofür er entworfen wurde</translation>
+    </message>
+    <message>
         <source>It needs more places: give them all.</source>
         <translation>Es fehlen Stellen: alle angeben.</translation>
     </message>
@@ -2351,8 +2615,32 @@
         <translation>Es dauert {0} h bei {1} m/min und {2} min für jede Naht.</translation>
     </message>
     <message>
+        <source>It took longer than {0} s: take a coarser mesh, or raise --timeout.</source>
+        <translation>Er brauchte länger als {0} s: ein gröberes Netz nehmen oder --timeout erhöhen.</translation>
+    </message>
+    <message>
         <source>Its pattern is gone: delete it.</source>
         <translation>Sein Schnittmuster fehlt: dieses Stück löschen.</translation>
+    </message>
+    <message>
+        <source>Its process ended with {0} ({1}).</source>
+        <translation>Sein Prozess endete mit {0} ({1}).</translation>
+    </message>
+    <message>
+        <source>Its process was ended by {0}.</source>
+        <translation>Sein Prozess wurde durch {0} beendet.</translation>
+    </message>
+    <message>
+        <source>Its process was ended by {0}. It may have lacked memory: take a coarser mesh.</source>
+        <translation>Sein Prozess wurde durch {0} beendet. Vielleicht fehlte Arbeitsspeicher: ein gröberes Netz nehmen.</translation>
+    </message>
+    <message>
+        <source>Its process was ended by {0}.{1}</source>
+        <translation>Sein Prozess wurde durch {0} beendet.{1}</translation>
+    </message>
+    <message>
+        <source>Its workers were killed again and again: take a coarser mesh, or start it again.</source>
+        <translation>Seine Worker wurden immer wieder abgebrochen: ein gröberes Netz nehmen oder ihn noch einmal starten.</translation>
     </message>
     <message>
         <source>JSON</source>
@@ -2401,6 +2689,10 @@
     <message>
         <source>Largest strain</source>
         <translation>Größte Dehnung</translation>
+    </message>
+    <message>
+        <source>Largest tension of the film</source>
+        <translation>Größte Spannung der Folie</translation>
     </message>
     <message>
         <source>Lay a picture under the paper for tracing; press again to take it away</source>
@@ -2461,6 +2753,14 @@
     <message>
         <source>Length of a gore</source>
         <translation>Länge eines Segments</translation>
+    </message>
+    <message>
+        <source>Length of the seams</source>
+        <translation>Länge der Nähte</translation>
+    </message>
+    <message>
+        <source>Length of the usual roll that it takes</source>
+        <translation>Benötigte Länge der üblichen Rolle</translation>
     </message>
     <message>
         <source>Letter</source>
@@ -2707,12 +3007,20 @@
         <translation>Ohne es kann kein Ballon neu aufgeblasen werden; Schnittmuster können geändert und geschrieben werden.</translation>
     </message>
     <message>
+        <source>No balloon has {0} and {1}: these limits exclude each other.</source>
+        <translation>Kein Ballon hat {0} und {1}: Diese Grenzen schließen einander aus.</translation>
+    </message>
+    <message>
         <source>No file could be made.</source>
         <translation>Es konnte keine Datei erstellt werden.</translation>
     </message>
     <message>
         <source>No file for {0}: {1}</source>
         <translation>Keine Datei für {0}: {1}</translation>
+    </message>
+    <message>
+        <source>No file is like '{0}' in '{1}'. Check the pattern and the folder.</source>
+        <translation>Keine Datei wie „{0}“ in „{1}“. Suchmuster und Ordner prüfen.</translation>
     </message>
     <message>
         <source>No limit</source>
@@ -2737,6 +3045,10 @@
     <message>
         <source>No pattern here has pieces of "{0}": choose another film.</source>
         <translation>Kein Schnittmuster hat hier Stücke aus „{0}“: eine andere Folie wählen.</translation>
+    </message>
+    <message>
+        <source>No process can be started beside this one ({0}).</source>
+        <translation>Neben diesem kann kein Prozess gestartet werden ({0}).</translation>
     </message>
     <message>
         <source>No seam can be drawn near {0}.</source>
@@ -2767,12 +3079,24 @@
         <translation>Kein Dreieck des Netzes hat eine Fläche. Den Körper als Netz aus Dreiecken speichern.</translation>
     </message>
     <message>
+        <source>No worker of Dask can be reached at '{0}' ({1}): start a scheduler and workers, and give its address.</source>
+        <translation>Unter „{0}“ ist kein Worker von Dask zu erreichen ({1}): einen Scheduler und Worker starten und dessen Adresse angeben.</translation>
+    </message>
+    <message>
         <source>No, use NumPy</source>
         <translation>Nein, NumPy benutzen</translation>
     </message>
     <message>
         <source>None</source>
         <translation>Keine</translation>
+    </message>
+    <message>
+        <source>None of {0} balloons could be made: the table says why.</source>
+        <translation>Keiner von {0} Ballons ließ sich machen: Die Tabelle sagt, warum.</translation>
+    </message>
+    <message>
+        <source>None of {0} balloons is within the limits; the nearest: {1}, asked for {2}.</source>
+        <translation>Keiner von {0} Ballons liegt innerhalb der Grenzen; der nächste: {1}, verlangt war {2}.</translation>
     </message>
     <message>
         <source>Not possible</source>
@@ -2795,12 +3119,24 @@
         <translation>Hinweis: {0}</translation>
     </message>
     <message>
+        <source>Notes</source>
+        <translation>Hinweise</translation>
+    </message>
+    <message>
         <source>Nothing can be computed without it; documents open and keep their shapes.</source>
         <translation>Ohne es kann nichts berechnet werden; Dokumente lassen sich öffnen und behalten ihre Formen.</translation>
     </message>
     <message>
+        <source>Nothing strays that is called "{0}": choose of {1}.</source>
+        <translation>Nichts, was streut, heißt „{0}“: aus {1} wählen.</translation>
+    </message>
+    <message>
         <source>Nothing to improve.</source>
         <translation>Nichts zu verbessern.</translation>
+    </message>
+    <message>
+        <source>Nothing varies: give "{0}" a column.</source>
+        <translation>Nichts wird verändert: „{0}“ eine Spalte geben.</translation>
     </message>
     <message>
         <source>Now pick the partner of {}.</source>
@@ -2839,12 +3175,28 @@
         <translation>Aus</translation>
     </message>
     <message>
+        <source>Off at most</source>
+        <translation>Größte Abweichung</translation>
+    </message>
+    <message>
+        <source>Off it at most</source>
+        <translation>Größte Abweichung davon</translation>
+    </message>
+    <message>
+        <source>Off on average</source>
+        <translation>Mittlere Abweichung</translation>
+    </message>
+    <message>
         <source>Off the body</source>
         <translation>Neben dem Körper</translation>
     </message>
     <message>
         <source>Off the drawing</source>
         <translation>Neben der Zeichnung</translation>
+    </message>
+    <message>
+        <source>Off the drawing, profile or body on average</source>
+        <translation>Abweichung von Zeichnung, Profil oder Körper im Mittel</translation>
     </message>
     <message>
         <source>Off the drawing: {0} on average, at most {1}</source>
@@ -3103,6 +3455,10 @@
         <translation>Schnittmuster im Maßstab 1 : {0}</translation>
     </message>
     <message>
+        <source>Pattern of the balloon, all pieces</source>
+        <translation>Schnittmuster des Ballons, alle Teile</translation>
+    </message>
+    <message>
         <source>Pattern on several pages</source>
         <translation>Schnittmuster auf mehreren Seiten</translation>
     </message>
@@ -3263,12 +3619,24 @@
         <translation>Aus dem Umriss vorhergesagt; noch nicht aufgeblasen.</translation>
     </message>
     <message>
+        <source>Press a head to sort by it.</source>
+        <translation>Zum Sortieren eine Spaltenüberschrift anklicken.</translation>
+    </message>
+    <message>
         <source>Pressure</source>
         <translation>Druck</translation>
     </message>
     <message>
+        <source>Pressure inside, above that outside</source>
+        <translation>Innendruck, über dem Außendruck</translation>
+    </message>
+    <message>
         <source>Pressure rises with height</source>
         <translation>Druck steigt mit der Höhe</translation>
+    </message>
+    <message>
+        <source>Pressure with the margin left</source>
+        <translation>Druck, bei dem die Reserve bleibt</translation>
     </message>
     <message>
         <source>Pressure: {0}</source>
@@ -3403,6 +3771,18 @@
         <translation>Runden mit einem Radius von</translation>
     </message>
     <message>
+        <source>Row {0}: {1}</source>
+        <translation>Zeile {0}: {1}</translation>
+    </message>
+    <message>
+        <source>Rows: {0}, of these make no sense: {1}</source>
+        <translation>Zeilen: {0}, davon ohne Sinn: {1}</translation>
+    </message>
+    <message>
+        <source>Rows: {0}, without a balloon: {1}</source>
+        <translation>Zeilen: {0}, ohne Ballon: {1}</translation>
+    </message>
+    <message>
         <source>STL, OBJ, PLY, 3MF or STEP</source>
         <translation>STL, OBJ, PLY, 3MF oder STEP</translation>
     </message>
@@ -3433,6 +3813,18 @@
     <message>
         <source>Safe to</source>
         <translation>Sicher bis</translation>
+    </message>
+    <message>
+        <source>Samples need scipy: install it with pip install scipy.</source>
+        <translation>Stichproben brauchen scipy: mit pip install scipy installieren.</translation>
+    </message>
+    <message>
+        <source>Samples of a {0} need scipy: install it with pip install scipy, or take {1} ones.</source>
+        <translation>Stichproben der Art {0} brauchen scipy: mit pip install scipy installieren, oder {1} nehmen.</translation>
+    </message>
+    <message>
+        <source>Samples: {0}, of these failed: {1}, not at rest: {2}</source>
+        <translation>Stichproben: {0}, davon gescheitert: {1}, nicht in Ruhe: {2}</translation>
     </message>
     <message>
         <source>Save results</source>
@@ -3703,6 +4095,14 @@
         <translation>Silhouette Studio (Folienschneider)</translation>
     </message>
     <message>
+        <source>Silhouette error, largest</source>
+        <translation>Abweichung der Silhouette, größte</translation>
+    </message>
+    <message>
+        <source>Silhouette error, mean</source>
+        <translation>Abweichung der Silhouette, mittlere</translation>
+    </message>
+    <message>
         <source>Silhouette off the drawing</source>
         <translation>Silhouette neben der Zeichnung</translation>
     </message>
@@ -3795,6 +4195,10 @@
         <translation>Streifen miteinander verschweißt</translation>
     </message>
     <message>
+        <source>Studies on Dask need {0}: install it with pip install {1}, or leave --dask and --scheduler out ({2}).</source>
+        <translation>Studien auf Dask brauchen {0}: mit pip install {1} installieren oder --dask und --scheduler weglassen ({2}).</translation>
+    </message>
+    <message>
         <source>Symmetry</source>
         <translation>Symmetrie</translation>
     </message>
@@ -3869,6 +4273,10 @@
     <message>
         <source>Target</source>
         <translation>Zielkörper</translation>
+    </message>
+    <message>
+        <source>Temperatures need scipy: install it with pip install scipy.</source>
+        <translation>Temperaturen brauchen scipy: mit pip install scipy installieren.</translation>
     </message>
     <message>
         <source>Tension field</source>
@@ -4151,6 +4559,10 @@
         <translation>Die Kappen sind zu groß für den Ball. Einen kleineren Durchmesser für sie wählen.</translation>
     </message>
     <message>
+        <source>The cluster cannot be made ({0}): check the file that --cluster names.</source>
+        <translation>Der Cluster kann nicht erzeugt werden ({0}): die Datei prüfen, die --cluster nennt.</translation>
+    </message>
+    <message>
         <source>The colour would run out: close the line around this place first.</source>
         <translation>Die Farbe liefe aus: zuerst die Linie um diese Stelle schließen.</translation>
     </message>
@@ -4239,6 +4651,14 @@
         <translation>Das Ende einer Naht lässt sich nicht allein verschieben. Die Naht zwischen ihren Enden anfassen.</translation>
     </message>
     <message>
+        <source>The error of {0} is of the whole contour: leave "along" out.</source>
+        <translation>Die Abweichung von {0} gilt der ganzen Kontur: „along“ weglassen.</translation>
+    </message>
+    <message>
+        <source>The error of {0} is per {1}: write "{2}" or "{3}".</source>
+        <translation>Die Abweichung von {0} gilt je {1}: „{2}“ oder „{3}“ schreiben.</translation>
+    </message>
+    <message>
         <source>The faces of {0} cannot be told from each other in a mesh. Repair the solid, or give a mesh of it.</source>
         <translation>Die Flächen von {0} lassen sich in einem Netz nicht voneinander unterscheiden. Den Volumenkörper reparieren oder ein Netz davon geben.</translation>
     </message>
@@ -4279,8 +4699,16 @@
         <translation>Die Folie „{0}“ hat keine Masse. Ihr Flächengewicht angeben.</translation>
     </message>
     <message>
+        <source>The film came to rest</source>
+        <translation>Die Folie kam zur Ruhe</translation>
+    </message>
+    <message>
         <source>The film comes as near as {0} to the body, and a margin of {1} was asked for. Take more panels, or a larger margin.</source>
         <translation>Die Folie kommt dem Körper bis auf {0} nahe, verlangt war ein Abstand von {1}. Mehr Bahnen nehmen oder einen größeren Abstand.</translation>
+    </message>
+    <message>
+        <source>The film did not come to rest: its numbers are estimates.</source>
+        <translation>Die Folie kam nicht zur Ruhe: Ihre Zahlen sind Schätzungen.</translation>
     </message>
     <message>
         <source>The film file {0} calls itself "{1}": give both the same name.</source>
@@ -4319,8 +4747,28 @@
         <translation>Die Folie bleibt bis zu {0} vom Profil entfernt, auch auf halbem Weg zwischen den Nähten und der Mitte der Segmente: sie kann diese Form nicht annehmen. Das Profil runden, wo es flach, hohl oder spitz ist.</translation>
     </message>
     <message>
+        <source>The first {0} of {1} rows, without a balloon: {2}</source>
+        <translation>Die ersten {0} von {1} Zeilen, ohne Ballon: {2}</translation>
+    </message>
+    <message>
+        <source>The first {0} rows; the others are in table.csv.</source>
+        <translation>Die ersten {0} Zeilen; die übrigen stehen in table.csv.</translation>
+    </message>
+    <message>
+        <source>The folder '{0}' has vanished: bring it back or choose another one, and start the study again.</source>
+        <translation>Der Ordner „{0}“ ist verschwunden: ihn zurückholen oder einen anderen wählen und die Studie noch einmal starten.</translation>
+    </message>
+    <message>
         <source>The free edition opens DXF, not SVG. Choose "as is" for the size in the import preferences. Silhouette makes its own registration marks, and adds the knife's offset and overcut. Nothing is in the file that may not be cut.</source>
         <translation>Die kostenlose Ausgabe öffnet DXF, nicht SVG. In den Importeinstellungen „wie vorliegend“ als Größe wählen. Silhouette macht seine eigenen Passermarken und fügt Versatz und Überschnitt des Messers hinzu. In der Datei ist nichts, was nicht geschnitten werden darf.</translation>
+    </message>
+    <message>
+        <source>The goal has {0} combinations to choose from, of which each is tried: list 1 to {1}.</source>
+        <translation>Das Ziel hat {0} Kombinationen zur Auswahl, von denen jede probiert wird: 1 bis {1} aufzählen.</translation>
+    </message>
+    <message>
+        <source>The goal is no JSON object: write {0}.</source>
+        <translation>Das Ziel ist kein JSON-Objekt: {0} schreiben.</translation>
     </message>
     <message>
         <source>The grain's angle {0} is no number: give degrees from the x axis.</source>
@@ -4703,6 +5151,10 @@
         <translation>Der Druck muss nach oben zunehmen: eine Zunahme von 0 oder mehr angeben.</translation>
     </message>
     <message>
+        <source>The preview picture needs matplotlib: install it with pip install matplotlib.</source>
+        <translation>Das Vorschaubild braucht matplotlib: mit pip install matplotlib installieren.</translation>
+    </message>
+    <message>
         <source>The print on film</source>
         <translation>Der Druck auf Folie</translation>
     </message>
@@ -4755,6 +5207,22 @@
         <translation>Das Übrige</translation>
     </message>
     <message>
+        <source>The row has more cells than there are columns: leave out what is too much.</source>
+        <translation>Die Zeile hat mehr Zellen, als es Spalten gibt: weglassen, was zu viel ist.</translation>
+    </message>
+    <message>
+        <source>The row has no input: give it the name of a drawing.</source>
+        <translation>Die Zeile hat keine Eingabe: den Namen einer Zeichnung angeben.</translation>
+    </message>
+    <message>
+        <source>The same in all rows</source>
+        <translation>In allen Zeilen gleich</translation>
+    </message>
+    <message>
+        <source>The scheduler of Dask went away: start it and the study again; nothing is lost.</source>
+        <translation>Der Scheduler von Dask ist weg: ihn und die Studie noch einmal starten; nichts geht verloren.</translation>
+    </message>
+    <message>
         <source>The seal width must be between 0.01 mm and 1 m, the allowance between 0 and 1 m.</source>
         <translation>Die Nahtbreite muss zwischen 0,01 mm und 1 m liegen, die Zugabe zwischen 0 und 1 m.</translation>
     </message>
@@ -4775,8 +5243,32 @@
         <translation>Die Nähte von {0} Segmenten stehen bis zu {1} über deren Mitten hinaus. Mehr Segmente machen den Körper runder.</translation>
     </message>
     <message>
+        <source>The search for a goal asks for a few balloons at a time, of this machine: leave out --scheduler and --dask.</source>
+        <translation>Die Suche nach einem Ziel braucht jeweils wenige Ballons, von diesem Rechner: --scheduler und --dask weglassen.</translation>
+    </message>
+    <message>
+        <source>The search for a goal finds its balloons one after the other: leave out --shard, --script, --dry-run and --collect; what is there already is not made again.</source>
+        <translation>Die Suche nach einem Ziel findet ihre Ballons nacheinander: --shard, --script, --dry-run und --collect weglassen; was schon da ist, wird nicht noch einmal gemacht.</translation>
+    </message>
+    <message>
+        <source>The search for a goal needs scipy: install it with pip install scipy.</source>
+        <translation>Die Suche nach einem Ziel braucht scipy: mit pip install scipy installieren.</translation>
+    </message>
+    <message>
+        <source>The search was stopped; what was made stays.</source>
+        <translation>Die Suche wurde angehalten; was fertig ist, bleibt.</translation>
+    </message>
+    <message>
+        <source>The seed is a whole number from 0 up, not {0}.</source>
+        <translation>Der Startwert ist eine ganze Zahl ab 0, nicht {0}.</translation>
+    </message>
+    <message>
         <source>The selected sketches, wires and flat faces become the panels</source>
         <translation>Die gewählten Skizzen, Drähte und ebenen Flächen werden die Bahnen</translation>
+    </message>
+    <message>
+        <source>The settings lack "{0}": write {"{1}": {2}} into their file.</source>
+        <translation>Den Einstellungen fehlt „{0}“: {"{1}": {2}} in ihre Datei schreiben.</translation>
     </message>
     <message>
         <source>The shape in the picture is too frayed to trace. Use a clearer picture.</source>
@@ -4867,8 +5359,56 @@
         <translation>Die Schweißgeschwindigkeit muss über 0 liegen, und die Zeit für jede Naht darf nicht darunter liegen.</translation>
     </message>
     <message>
+        <source>The spread of {0} cannot be {1}: write it with its unit, such as "{2}".</source>
+        <translation>Die Streuung von {0} kann nicht {1} sein: mit Einheit schreiben, zum Beispiel „{2}“.</translation>
+    </message>
+    <message>
+        <source>The spread of {0} has "{1}", which is none of {2}.</source>
+        <translation>Die Streuung von {0} hat „{1}“, das keines von {2} ist.</translation>
+    </message>
+    <message>
+        <source>The spread of {0} is {1}: give one above 0, or leave it out.</source>
+        <translation>Die Streuung von {0} ist {1}: eine über 0 angeben oder sie weglassen.</translation>
+    </message>
+    <message>
+        <source>The spread of {0} is {1}: write one {2}.</source>
+        <translation>Die Streuung von {0} ist {1}: eine schreiben, {2}.</translation>
+    </message>
+    <message>
+        <source>The step of {0} has another unit than its ends: write the same one.</source>
+        <translation>Der Schritt von {0} hat eine andere Einheit als seine Enden: dieselbe schreiben.</translation>
+    </message>
+    <message>
         <source>The strips of valves are not here: lay them out on a sheet of their own, with "Valve film".</source>
         <translation>Die Streifen von Ventilen sind nicht dabei: sie auf einem eigenen Bogen auslegen, mit „Ventilfolie“.</translation>
+    </message>
+    <message>
+        <source>The study cannot go on ({0}).</source>
+        <translation>Die Studie kann nicht weitergehen ({0}).</translation>
+    </message>
+    <message>
+        <source>The study has no inputs: give it a column 'input' with the names of drawings.</source>
+        <translation>Die Studie hat keine Eingaben: ihr eine Spalte „input“ mit den Namen von Zeichnungen geben.</translation>
+    </message>
+    <message>
+        <source>The study has no rows.</source>
+        <translation>Die Studie hat keine Zeilen.</translation>
+    </message>
+    <message>
+        <source>The study has the column {0} twice.</source>
+        <translation>Die Studie hat die Spalte {0} zweimal.</translation>
+    </message>
+    <message>
+        <source>The study has {0} rows, more than {1}: take fewer values, or give --most {2} if that is meant.</source>
+        <translation>Die Studie hat {0} Zeilen, mehr als {1}: weniger Werte nehmen, oder --most {2} angeben, wenn das so gemeint ist.</translation>
+    </message>
+    <message>
+        <source>The study is no JSON object: begin it with {"vary": ...}.</source>
+        <translation>Die Studie ist kein JSON-Objekt: sie mit {"vary": ...} beginnen.</translation>
+    </message>
+    <message>
+        <source>The study was stopped.</source>
+        <translation>Die Studie wurde angehalten.</translation>
     </message>
     <message>
         <source>The summary cannot be shown ({0}); {1}.</source>
@@ -4923,6 +5463,10 @@
         <translation>Die Breite der Durchgänge muss 0 oder größer sein.</translation>
     </message>
     <message>
+        <source>The worker on {0}</source>
+        <translation>Der Worker auf {0}</translation>
+    </message>
+    <message>
         <source>The {0} "{1}" of the material card {2} cannot be read: correct the card.</source>
         <translation>{0} „{1}“ der Materialkarte {2} ist nicht lesbar: die Karte berichtigen.</translation>
     </message>
@@ -4971,6 +5515,10 @@
         <translation>Die Linie {0}, die bei {1} beginnt, ist offen: Programme füllen, versetzen und schneiden nur geschlossene. Sie schließen.</translation>
     </message>
     <message>
+        <source>The {0} strays by {1} % in sample {2}, which leaves nothing of it: give a smaller spread.</source>
+        <translation>In Stichprobe {2} weicht ein Wert um {1} % ab, sodass nichts übrig bleibt ({0}): eine kleinere Streuung angeben.</translation>
+    </message>
+    <message>
         <source>The {0} {1} is not between {2} and {3} {4}: give one such as {5}.</source>
         <translation>Der Wert ({0}) {1} liegt nicht zwischen {2} und {3} {4}: zum Beispiel {5} angeben.</translation>
     </message>
@@ -5001,6 +5549,10 @@
     <message>
         <source>There is no "{0}" to repair in {1}: see its advice.</source>
         <translation>Es gibt in {1} kein „{0}“ zu reparieren: dessen Ratschläge ansehen.</translation>
+    </message>
+    <message>
+        <source>There is no column '{0}': {1}.</source>
+        <translation>Es gibt keine Spalte „{0}“: {1}.</translation>
     </message>
     <message>
         <source>There is no file '{0}'. Check the name and the folder.</source>
@@ -5083,6 +5635,10 @@
         <translation>Es gibt keinen fertigen Körper „{0}“. Einen von {1} wählen.</translation>
     </message>
     <message>
+        <source>There is no result '{0}': take {1}.</source>
+        <translation>Es gibt kein Ergebnis „{0}“: {1} nehmen.</translation>
+    </message>
+    <message>
         <source>There is no room for a flange of {0} in its middle: choose another panel or a smaller one.</source>
         <translation>In ihrer Mitte ist kein Platz für einen Flansch von {0}: eine andere Bahn oder einen kleineren wählen.</translation>
     </message>
@@ -5101,6 +5657,10 @@
     <message>
         <source>There is no seam {0} for the opening: the seams are 1 to {1}.</source>
         <translation>Es gibt keine Naht {0} für die Öffnung: die Nähte sind 1 bis {1}.</translation>
+    </message>
+    <message>
+        <source>There is no share {0} of {1}: write one from 1/{2} on.</source>
+        <translation>Es gibt keinen Teil {0} von {1}: einen ab 1/{2} schreiben.</translation>
     </message>
     <message>
         <source>There is no sheet {0}: give a number from 1 to {1}.</source>
@@ -5149,6 +5709,10 @@
     <message>
         <source>This arm stays much thinner than the rest: drawn {width} wide, it becomes {measured} thick. For a rounder one make it {wanted} wide.</source>
         <translation>Dieser Arm bleibt viel dünner als der Rest: {width} breit gezeichnet, wird er {measured} dick. Damit er runder wird, ihn {wanted} breit machen.</translation>
+    </message>
+    <message>
+        <source>This balloon has not been worked out yet: start the study again.</source>
+        <translation>Dieser Ballon ist noch nicht berechnet: die Studie noch einmal starten.</translation>
     </message>
     <message>
         <source>This balloon holds less than {0} at any pressure that suits its film: {1} at {2}. Change the size of the balloon or the volume.</source>
@@ -5217,6 +5781,18 @@
     <message>
         <source>Tip that stays flat</source>
         <translation>Spitze, die flach bleibt</translation>
+    </message>
+    <message>
+        <source>Tolerances are worked out for two equal panels of one shape: </source>
+        <translation>Toleranzen werden für zwei gleiche Bahnen einer Form berechnet: </translation>
+    </message>
+    <message>
+        <source>Tolerances are worked out for two equal panels, of which one is simulated: leave out --two-panels, and take a drawing.</source>
+        <translation>Toleranzen werden für zwei gleiche Bahnen berechnet, von denen eine simuliert wird: --two-panels weglassen und eine Zeichnung nehmen.</translation>
+    </message>
+    <message>
+        <source>Too many samples could not be made to say which pressure 95 of 100 balloons bear.</source>
+        <translation>Zu viele Stichproben ließen sich nicht machen, um zu sagen, welchen Druck 95 von 100 Ballons aushalten.</translation>
     </message>
     <message>
         <source>Tracing paper, 92 g/m²</source>
@@ -5303,6 +5879,10 @@
         <translation>Rückgängig (Strg+Z)</translation>
     </message>
     <message>
+        <source>Uniform errors along a seam need scipy: pip install scipy.</source>
+        <translation>Gleichverteilte Abweichungen entlang einer Naht brauchen scipy: pip install scipy.</translation>
+    </message>
+    <message>
         <source>Unknown</source>
         <translation>Unbekannt</translation>
     </message>
@@ -5357,6 +5937,10 @@
     <message>
         <source>Weight</source>
         <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>Weight of film, welds and valve</source>
+        <translation>Gewicht von Folie, Schweißnähten und Ventil</translation>
     </message>
     <message>
         <source>Weld</source>
@@ -5427,6 +6011,22 @@
         <translation>Was die meisten Betriebe wollen: R12, geschlossene Polylinien, nichts auf dem Bogen, was nicht geschnitten wird. R12 kennt keine Einheit, darum nennt sie der Dateiname.</translation>
     </message>
     <message>
+        <source>What shows the balloon</source>
+        <translation>Was den Ballon zeigt</translation>
+    </message>
+    <message>
+        <source>What the chosen gas carries besides</source>
+        <translation>Was das gewählte Gas darüber hinaus trägt</translation>
+    </message>
+    <message>
+        <source>What this film costs, without what is left over</source>
+        <translation>Was diese Folie kostet, ohne den Verschnitt</translation>
+    </message>
+    <message>
+        <source>What this gas costs</source>
+        <translation>Was dieses Gas kostet</translation>
+    </message>
+    <message>
         <source>What this machine can work on, such as 600 x 400 mm, or 600 mm for a roll; empty where there is no limit. It is kept for this machine</source>
         <translation>Was diese Maschine bearbeiten kann, etwa 600 x 400 mm, oder 600 mm für eine Rolle; leer, wo es keine Grenze gibt. Es wird für diese Maschine behalten</translation>
     </message>
@@ -5437,6 +6037,10 @@
     <message>
         <source>What {0} sent is not the native solver of this release: its SHA-256 is another one. It was not kept. {1}</source>
         <translation>Was {0} geschickt hat, ist nicht der native Löser dieser Version: Die SHA-256 ist eine andere. Es wurde nicht behalten. {1}</translation>
+    </message>
+    <message>
+        <source>When all shards are done, --collect writes the table.</source>
+        <translation>Wenn alle Teile fertig sind, schreibt --collect die Tabelle.</translation>
     </message>
     <message>
         <source>Where an edge is cut into tabs, turn it round the other one tab by tab while you seal.</source>
@@ -5587,6 +6191,14 @@
         <translation>Elastizitätsmodul quer zur Laufrichtung</translation>
     </message>
     <message>
+        <source>Young's modulus of the film</source>
+        <translation>Elastizitätsmodul der Folie</translation>
+    </message>
+    <message>
+        <source>["200mm", "300mm"], {"linspace": ["1kPa", "3kPa", 5]} with how many, {"range": [6, 12, 2]} with the step, {"between": ["1kPa", "3kPa"]} for samples, or {"glob": "drawings/*.png"}</source>
+        <translation>["200mm", "300mm"], {"linspace": ["1kPa", "3kPa", 5]} mit der Anzahl, {"range": [6, 12, 2]} mit dem Schritt, {"between": ["1kPa", "3kPa"]} für Stichproben oder {"glob": "drawings/*.png"}</translation>
+    </message>
+    <message>
         <source>a LightBurn project has layers up to {0}: change the pen.</source>
         <translation>ein LightBurn-Projekt hat Ebenen bis {0}: den Stift ändern.</translation>
     </message>
@@ -5603,20 +6215,52 @@
         <translation>eine Koordinate ist keine Zahl</translation>
     </message>
     <message>
+        <source>a density</source>
+        <translation>eine Dichte</translation>
+    </message>
+    <message>
         <source>a face is no list of points.</source>
         <translation>eine Fläche ist keine Liste von Punkten.</translation>
+    </message>
+    <message>
+        <source>a force</source>
+        <translation>eine Kraft</translation>
+    </message>
+    <message>
+        <source>a length</source>
+        <translation>eine Länge</translation>
+    </message>
+    <message>
+        <source>a mass</source>
+        <translation>eine Masse</translation>
+    </message>
+    <message>
+        <source>a number without a unit</source>
+        <translation>eine Zahl ohne Einheit</translation>
     </message>
     <message>
         <source>a point is no three numbers.</source>
         <translation>ein Punkt besteht nicht aus drei Zahlen.</translation>
     </message>
     <message>
+        <source>a pressure</source>
+        <translation>ein Druck</translation>
+    </message>
+    <message>
         <source>a sleeve has an end</source>
         <translation>ein Schlauch hat ein Ende</translation>
     </message>
     <message>
+        <source>a temperature</source>
+        <translation>eine Temperatur</translation>
+    </message>
+    <message>
         <source>a transform is not a number</source>
         <translation>eine Transformation ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>a volume</source>
+        <translation>ein Volumen</translation>
     </message>
     <message>
         <source>a {0} file has a unit of its own: give "unit": "mm".</source>
@@ -5639,8 +6283,20 @@
         <translation>alle Dateien waren vorher nach {0} geschrieben</translation>
     </message>
     <message>
+        <source>an angle</source>
+        <translation>ein Winkel</translation>
+    </message>
+    <message>
+        <source>an area</source>
+        <translation>eine Fläche</translation>
+    </message>
+    <message>
         <source>another run has been writing there for a minute</source>
         <translation>ein anderer Lauf schreibt dort seit einer Minute</translation>
+    </message>
+    <message>
+        <source>another unit</source>
+        <translation>eine andere Einheit</translation>
     </message>
     <message>
         <source>any accuracy</source>
@@ -5675,8 +6331,20 @@
         <translation>Rückseite</translation>
     </message>
     <message>
+        <source>balloon {0} of {1}</source>
+        <translation>Ballon {0} von {1}</translation>
+    </message>
+    <message>
+        <source>balloon {0} of {1} at most</source>
+        <translation>Ballon {0} von höchstens {1}</translation>
+    </message>
+    <message>
         <source>balloon {0} of {1}, {2}</source>
         <translation>Ballon {0} von {1}, {2}</translation>
+    </message>
+    <message>
+        <source>balloons</source>
+        <translation>Ballons</translation>
     </message>
     <message>
         <source>bed_mm is {0}: give [width, height], or null where there is no limit.</source>
@@ -5931,6 +6599,10 @@
         <translation>unten</translation>
     </message>
     <message>
+        <source>making a balloon of a study</source>
+        <translation>beim Herstellen eines Ballons einer Studie</translation>
+    </message>
+    <message>
         <source>making the document</source>
         <translation>beim Erzeugen des Dokuments</translation>
     </message>
@@ -5999,6 +6671,10 @@
         <translation>Druck</translation>
     </message>
     <message>
+        <source>pressure at filling</source>
+        <translation>Druck beim Füllen</translation>
+    </message>
+    <message>
         <source>printing</source>
         <translation>Drucken</translation>
     </message>
@@ -6055,8 +6731,16 @@
         <translation>Festigkeit</translation>
     </message>
     <message>
+        <source>strength of film and weld</source>
+        <translation>Festigkeit von Folie und Schweißnaht</translation>
+    </message>
+    <message>
         <source>strength of the film not known</source>
         <translation>Festigkeit der Folie unbekannt</translation>
+    </message>
+    <message>
+        <source>such as {"normal": "{0}"}</source>
+        <translation>zum Beispiel {"normal": "{0}"}</translation>
     </message>
     <message>
         <source>taped seam</source>
@@ -6071,12 +6755,24 @@
         <translation>Temperatur</translation>
     </message>
     <message>
+        <source>temperature after filling</source>
+        <translation>Temperatur nach dem Füllen</translation>
+    </message>
+    <message>
         <source>the answer is not HTTP</source>
         <translation>die Antwort ist kein HTTP</translation>
     </message>
     <message>
+        <source>the balloons that were made stay, and the same command goes on</source>
+        <translation>die fertigen Ballons bleiben, und derselbe Befehl macht weiter</translation>
+    </message>
+    <message>
         <source>the colour "{0}" is not written like #ff0000.</source>
         <translation>die Farbe „{0}“ ist nicht wie #ff0000 geschrieben.</translation>
+    </message>
+    <message>
+        <source>the columns are the options of the command line</source>
+        <translation>die Spalten sind die Optionen der Befehlszeile</translation>
     </message>
     <message>
         <source>the connection ended too soon</source>
@@ -6107,6 +6803,10 @@
         <translation>der Name „{0}“ in stock kommt in Dateinamen: Buchstaben a bis z nehmen.</translation>
     </message>
     <message>
+        <source>the nearest are {0}</source>
+        <translation>am ähnlichsten sind {0}</translation>
+    </message>
+    <message>
         <source>the sealing side {0} is no polymer: give one such as "PE", or "none".</source>
         <translation>die Siegelseite {0} ist kein Polymer: zum Beispiel „PE“ angeben, oder „none“.</translation>
     </message>
@@ -6129,6 +6829,10 @@
     <message>
         <source>thickness</source>
         <translation>Dicke</translation>
+    </message>
+    <message>
+        <source>thickness of the film</source>
+        <translation>Dicke der Folie</translation>
     </message>
     <message>
         <source>thin PE film, 30 to 50 µm</source>
@@ -6195,6 +6899,10 @@
         <translation>width_mm muss über 0 liegen, taper zwischen 0,2 und 1.</translation>
     </message>
     <message>
+        <source>without a word</source>
+        <translation>ohne ein Wort</translation>
+    </message>
+    <message>
         <source>wrinkled: {}</source>
         <translation>faltig: {}</translation>
     </message>
@@ -6219,8 +6927,20 @@
         <translation>Linien {0} und {1} treffen sich nahe {2}: das Loch nach innen verschieben oder die Zugabe schmaler machen.</translation>
     </message>
     <message>
+        <source>{0} at least {1}</source>
+        <translation>{0} mindestens {1}</translation>
+    </message>
+    <message>
+        <source>{0} at most {1}</source>
+        <translation>{0} höchstens {1}</translation>
+    </message>
+    <message>
         <source>{0} balloons cannot be laid out: give 1 or more.</source>
         <translation>{0} Ballons können nicht ausgelegt werden: 1 oder mehr angeben.</translation>
+    </message>
+    <message>
+        <source>{0} begins in {1} and ends in {2}: write both in one unit.</source>
+        <translation>{0} beginnt in {1} und endet in {2}: beides in einer Einheit schreiben.</translation>
     </message>
     <message>
         <source>{0} belongs to no balloon: choose an outline, a balloon or a pattern.</source>
@@ -6235,12 +6955,24 @@
         <translation>{0} kann nicht geladen werden ({1}).</translation>
     </message>
     <message>
+        <source>{0} cannot be read ({1}): write {2}.</source>
+        <translation>{0} ist nicht zu lesen ({1}): {2} schreiben.</translation>
+    </message>
+    <message>
+        <source>{0} cannot work: {1}</source>
+        <translation>{0} kann nicht arbeiten: {1}</translation>
+    </message>
+    <message>
         <source>{0} changed since. Choose Inflate now in its context menu, or switch Live on.</source>
         <translation>Geändert wurde: {0}. Im Kontextmenü „Jetzt aufblasen“ wählen oder Live einschalten.</translation>
     </message>
     <message>
         <source>{0} does not have the native solver (answer {1}). Try again later. {2}</source>
         <translation>{0} hat den nativen Löser nicht (Antwort {1}). Später noch einmal versuchen. {2}</translation>
+    </message>
+    <message>
+        <source>{0} does not see the folder '{1}': choose one that all machines share.</source>
+        <translation>{0} sieht den Ordner „{1}“ nicht: einen wählen, den alle Rechner teilen.</translation>
     </message>
     <message>
         <source>{0} dots per inch cannot be printed well: give {1} to {2}.</source>
@@ -6291,12 +7023,20 @@
         <translation>{0} hat noch kein Ergebnis: neu berechnen.</translation>
     </message>
     <message>
+        <source>{0} has no room between its ends: write the smaller one first.</source>
+        <translation>{0} hat keinen Raum zwischen seinen Enden: das kleinere zuerst schreiben.</translation>
+    </message>
+    <message>
         <source>{0} has no shape. Choose a solid or a mesh.</source>
         <translation>{0} hat keine Form. Einen Volumenkörper oder ein Netz wählen.</translation>
     </message>
     <message>
         <source>{0} has no shape: select a sketch, a wire or a face.</source>
         <translation>{0} hat keine Form: eine Skizze, einen Draht oder eine Fläche wählen.</translation>
+    </message>
+    <message>
+        <source>{0} has no values: write {1}.</source>
+        <translation>{0} hat keine Werte: {1} schreiben.</translation>
     </message>
     <message>
         <source>{0} has not been built.</source>
@@ -6309,6 +7049,10 @@
     <message>
         <source>{0} has several faces: select those that are panels.</source>
         <translation>{0} hat mehrere Flächen: die wählen, die Bahnen sind.</translation>
+    </message>
+    <message>
+        <source>{0} has version {1}, not {2}: install the same one everywhere.</source>
+        <translation>{0} hat Version {1} statt {2}: überall dieselbe installieren.</translation>
     </message>
     <message>
         <source>{0} has {1} bodies: choose one of them.</source>
@@ -6343,6 +7087,10 @@
         <translation>{0} ist eine Kante eines Lochs: eine des äußeren Rands als Öffnung wählen.</translation>
     </message>
     <message>
+        <source>{0} is at an end of its range: a wider one may hold a better balloon.</source>
+        <translation>{0} liegt an einem Ende seines Bereichs: Ein weiterer enthält vielleicht einen besseren Ballon.</translation>
+    </message>
+    <message>
         <source>{0} is curved both ways: it is cut into {1} strips.</source>
         <translation>{0} ist in beide Richtungen gekrümmt: in {1} Streifen geschnitten.</translation>
     </message>
@@ -6357,6 +7105,10 @@
     <message>
         <source>{0} is damaged: install the workbench anew, or go on without the native solver.</source>
         <translation>{0} ist beschädigt: den Arbeitsbereich neu installieren oder ohne den nativen Löser weitermachen.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: remove it and start the study again.</source>
+        <translation>{0} ist beschädigt: entfernen und die Studie noch einmal starten.</translation>
     </message>
     <message>
         <source>{0} is empty: draw a closed line in it.</source>
@@ -6405,6 +7157,10 @@
     <message>
         <source>{0} is no body: give a solid, a mesh or the path of a file.</source>
         <translation>{0} ist kein Körper: einen Volumenkörper, ein Netz oder den Pfad einer Datei geben.</translation>
+    </message>
+    <message>
+        <source>{0} is no number: list its values.</source>
+        <translation>{0} ist keine Zahl: die Werte aufzählen.</translation>
     </message>
     <message>
         <source>{0} is not a coordinate</source>
@@ -6495,6 +7251,10 @@
         <translation>{0} darf nie mit dem Laser geschnitten werden: eine Maschine mit Messer wählen.</translation>
     </message>
     <message>
+        <source>{0} never gets from '{1}' to '{2}' by '{3}'.</source>
+        <translation>{0} kommt mit „{3}“ nie von „{1}“ nach „{2}“.</translation>
+    </message>
+    <message>
         <source>{0} notches are closer than {1}: take fewer.</source>
         <translation>{0} Passkerben liegen enger als {1}: weniger nehmen.</translation>
     </message>
@@ -6507,6 +7267,10 @@
         <translation>{0} ihrer Größe</translation>
     </message>
     <message>
+        <source>{0} of {1} is {2}, but its expression '{3}' gives {4}: change the expression.</source>
+        <translation>{0} von {1} ist {2}, ihr Ausdruck „{3}“ ergibt aber {4}: den Ausdruck ändern.</translation>
+    </message>
+    <message>
         <source>{0} open line was left out.</source>
         <translation>{0} offene Linie wurde weggelassen.</translation>
     </message>
@@ -6515,12 +7279,24 @@
         <translation>{0} offene Linien wurden weggelassen.</translation>
     </message>
     <message>
+        <source>{0} over {1}</source>
+        <translation>{0} über {1}</translation>
+    </message>
+    <message>
         <source>{0} panels meet at one point, which no weld closes: seal the cap from the sheet over it, or tape it.</source>
         <translation>{0} Bahnen treffen sich in einem Punkt, den keine Naht schließt: die Kappe vom Bogen darübersiegeln oder ihn abkleben.</translation>
     </message>
     <message>
         <source>{0} reads {1}, which has no pages: choose paper.</source>
         <translation>{0} liest {1}, das keine Seiten hat: Papier wählen.</translation>
+    </message>
+    <message>
+        <source>{0} runs between two ends: say how to take samples in "{1}".</source>
+        <translation>{0} läuft zwischen zwei Enden: in „{1}“ angeben, wie Stichproben zu nehmen sind.</translation>
+    </message>
+    <message>
+        <source>{0} samples are too few to say which pressure 95 of 100 balloons bear: take {1} or more.</source>
+        <translation>{0} Stichproben sind zu wenige, um zu sagen, welchen Druck 95 von 100 Ballons aushalten: {1} oder mehr nehmen.</translation>
     </message>
     <message>
         <source>{0} seams cannot be sealed lying flat, least of all seam {1} of panels {2}: one edge turns by {3} in all to follow the other. Seal them bit by bit, or round the corners.</source>
@@ -6533,6 +7309,10 @@
     <message>
         <source>{0} small specks were dropped.</source>
         <translation>{0} kleine Flecken wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>{0} takes from 1 to {1} equal parts, not '{2}'.</source>
+        <translation>{0} nimmt 1 bis {1} gleiche Teile, nicht „{2}“.</translation>
     </message>
     <message>
         <source>{0} thin line is</source>
@@ -6575,6 +7355,10 @@
         <translation>{0} mit Ventil von {1}</translation>
     </message>
     <message>
+        <source>{0}, inflated: {1}</source>
+        <translation>{0}, aufgeblasen: {1}</translation>
+    </message>
+    <message>
         <source>{0}: lay its pieces out on sheets of that size, make the balloon smaller, or write the file anyway.</source>
         <translation>{0}: die Stücke auf Bögen dieser Größe auslegen, den Ballon kleiner machen oder die Datei trotzdem schreiben lassen.</translation>
     </message>
@@ -6597,6 +7381,14 @@
     <message>
         <source>{0}; wider than the usual roll</source>
         <translation>{0}; breiter als die übliche Rolle</translation>
+    </message>
+    <message>
+        <source>{0}take a drawing, without a side band or gores.</source>
+        <translation>{0}eine Zeichnung nehmen, ohne Seitenband oder Segmente.</translation>
+    </message>
+    <message>
+        <source>{0}this drawing has {1} shapes, study one at a time.</source>
+        <translation>{0}diese Zeichnung hat {1} Formen, jede einzeln untersuchen.</translation>
     </message>
     <message>
         <source>{0}what is shown is the last good state. Lower the pressure or change the mesh size.</source>

@@ -975,8 +975,24 @@
 <context>
     <name>BalloonWorkbench</name>
     <message>
+        <source> It may have lacked memory: take a coarser mesh.</source>
+        <translation> Quizá faltó memoria: tome una malla más gruesa.</translation>
+    </message>
+    <message>
         <source> is not ready: </source>
         <translation> no está listo: </translation>
+    </message>
+    <message>
+        <source>"hosts" is no list: write {0}.</source>
+        <translation>«hosts» no es una lista: escriba {0}.</translation>
+    </message>
+    <message>
+        <source>"{0}" cannot be read: write {"kind": "latin-hypercube", "rows": 100, "seed": 1}.</source>
+        <translation>«{0}» no se puede leer: escriba {"kind": "latin-hypercube", "rows": 100, "seed": 1}.</translation>
+    </message>
+    <message>
+        <source>"{0}" has one result and its value: write {"lift": "20 g"}.</source>
+        <translation>«{0}» tiene un resultado y su valor: escriba {"lift": "20 g"}.</translation>
     </message>
     <message>
         <source>"{0}" is an edge of {1} panels: name the face too, as in {2}.</source>
@@ -1003,8 +1019,36 @@
         <translation>«{0}» no puede usar {1}.</translation>
     </message>
     <message>
+        <source>"{0}" of "{1}" is no whole number: write one.</source>
+        <translation>«{0}» de «{1}» no es un número entero: escriba uno.</translation>
+    </message>
+    <message>
+        <source>"{0}" of the study is no JSON object: write {"width": ...}.</source>
+        <translation>«{0}» del estudio no es un objeto JSON: escriba {"width": ...}.</translation>
+    </message>
+    <message>
+        <source>"{0}" of the study is no list of JSON objects: write [{"input": ...}, ...].</source>
+        <translation>«{0}» del estudio no es una lista de objetos JSON: escriba [{"input": ...}, ...].</translation>
+    </message>
+    <message>
+        <source>"{0}" says what may be chosen: write {"width": ["100mm", "400mm"]}.</source>
+        <translation>«{0}» dice qué se puede elegir: escriba {"width": ["100mm", "400mm"]}.</translation>
+    </message>
+    <message>
+        <source>'{0}' cannot be kept: write {1} or {2}.</source>
+        <translation>«{0}» no se puede conservar: escriba {1} o {2}.</translation>
+    </message>
+    <message>
         <source>'{0}' cannot be read ({1}). Check the name and its access.</source>
         <translation>«{0}» no se puede leer ({1}). Compruebe el nombre y el acceso.</translation>
+    </message>
+    <message>
+        <source>'{0}' cannot be read ({1}): name a JSON file of settings.</source>
+        <translation>«{0}» no se puede leer ({1}): indique un archivo JSON de ajustes.</translation>
+    </message>
+    <message>
+        <source>'{0}' has a column twice.</source>
+        <translation>«{0}» tiene una columna dos veces.</translation>
     </message>
     <message>
         <source>'{0}' has its own panels: leave out what you give of gores or of a side band.</source>
@@ -1075,12 +1119,80 @@
         <translation>«{0}» no es SVG, DXF ni JSON. Guarde el dibujo como uno de ellos.</translation>
     </message>
     <message>
+        <source>'{0}' is neither yes nor no: write one of them for {1}.</source>
+        <translation>«{0}» no es ni yes ni no: escriba uno de ellos para {1}.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no JSON ({1}{2}).</source>
+        <translation>«{0}» no es JSON ({1}{2}).</translation>
+    </message>
+    <message>
+        <source>'{0}' is no JSON object: write {"queue": ...}.</source>
+        <translation>«{0}» no es un objeto JSON: escriba {"queue": ...}.</translation>
+    </message>
+    <message>
         <source>'{0}' is no closed body: leave out --panels, or give an STL, OBJ, PLY, 3MF or STEP.</source>
         <translation>«{0}» no es un cuerpo cerrado: quite --panels, o dé un STL, OBJ, PLY, 3MF o STEP.</translation>
     </message>
     <message>
+        <source>'{0}' is no cluster: write one of {1}.</source>
+        <translation>«{0}» no es un clúster: escriba uno de {1}.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no command of a study: write {1} or {2}.</source>
+        <translation>«{0}» no es una orden de un estudio: escriba {1} o {2}.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no difference of temperatures: write 5K, 5C or 9F.</source>
+        <translation>«{0}» no es una diferencia de temperatura: escriba 5K, 5C o 9F.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no file: name one.</source>
+        <translation>«{0}» no es un archivo: indique uno.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no number for {1}.</source>
+        <translation>«{0}» no es un número para {1}.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no single value for {1}.</source>
+        <translation>«{0}» no es un valor único para {1}.</translation>
+    </message>
+    <message>
         <source>'{0}' is no size: write 500mm for a width, 500mmx700mm for width and height.</source>
         <translation>«{0}» no es un tamaño: escriba 500mm para una anchura, 500mmx700mm para anchura y altura.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no table ({1}): save it as CSV.</source>
+        <translation>«{0}» no es una tabla ({1}): guárdela como CSV.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no text in UTF-8: save it as one.</source>
+        <translation>«{0}» no es un texto en UTF-8: guárdelo así.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no text in UTF-8: save the table as CSV in UTF-8.</source>
+        <translation>«{0}» no es un texto en UTF-8: guarde la tabla como CSV en UTF-8.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no value for an option of sbatch: write one line.</source>
+        <translation>«{0}» no es un valor para una opción de sbatch: escriba una sola línea.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no value for {1}.</source>
+        <translation>«{0}» no es un valor para {1}.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no value for {1}: write a number in its unit.</source>
+        <translation>«{0}» no es un valor para {1}: escriba un número en su unidad.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no way to take samples: write {1} or {2}.</source>
+        <translation>«{0}» no es una forma de tomar muestras: escriba {1} o {2}.</translation>
+    </message>
+    <message>
+        <source>'{0}' is none of {1} for {2}.</source>
+        <translation>«{0}» no es ninguno de {1} para {2}.</translation>
     </message>
     <message>
         <source>'{0}' is not a drawing that can be read. Use PNG, JPEG, BMP, SVG, DXF or JSON.</source>
@@ -1127,6 +1239,10 @@
         <translation>, {0} de ellos reflejados</translation>
     </message>
     <message>
+        <source>--jobs and --timeout are numbers above 0.</source>
+        <translation>--jobs y --timeout son números mayores que 0.</translation>
+    </message>
+    <message>
         <source>--oversize scale makes the balloon smaller until it fits, --oversize write writes the file anyway, --bed tells how large the bed is.</source>
         <translation>--oversize scale reduce el globo hasta que quepa, --oversize write escribe el archivo de todos modos, --bed indica el tamaño de la cama.</translation>
     </message>
@@ -1141,6 +1257,10 @@
     <message>
         <source>95 % below {} ({})</source>
         <translation>95 % por debajo de {} ({})</translation>
+    </message>
+    <message>
+        <source>95 % of it below</source>
+        <translation>95 % por debajo de</translation>
     </message>
     <message>
         <source>A balloon has no "{0}": it has {1}.</source>
@@ -1193,6 +1313,14 @@
     <message>
         <source>A file of this name is there already</source>
         <translation>Ya hay un archivo con este nombre</translation>
+    </message>
+    <message>
+        <source>A goal has no '{0}': it has one of {1}, and {2} and {3}.</source>
+        <translation>Un objetivo no tiene «{0}»: tiene uno de {1}, y {2} y {3}.</translation>
+    </message>
+    <message>
+        <source>A goal has one of {0}: write {1}.</source>
+        <translation>Un objetivo tiene uno de {0}: escriba {1}.</translation>
     </message>
     <message>
         <source>A hole meets the outline or another hole at {0}; keep some film between them.</source>
@@ -1251,6 +1379,10 @@
         <translation>Un número de una boca está vacío.</translation>
     </message>
     <message>
+        <source>A package for this cluster is missing: {0}</source>
+        <translation>Falta un paquete para este clúster: {0}</translation>
+    </message>
+    <message>
         <source>A passage of {0} is left open in the weld at {1}, so that air reaches both sides.</source>
         <translation>Queda un paso de {0} abierto en la soldadura en {1}, para que el aire llegue a ambos lados.</translation>
     </message>
@@ -1279,6 +1411,18 @@
         <translation>Un plano necesita su normal. Indique una.</translation>
     </message>
     <message>
+        <source>A process beside this one does not start: {0}</source>
+        <translation>Un proceso junto a este no arranca: {0}</translation>
+    </message>
+    <message>
+        <source>A process beside this one is of version {0}, not of {1}: install one of them anew.</source>
+        <translation>Un proceso junto a este es de la versión {0}, no de {1}: instale de nuevo uno de ellos.</translation>
+    </message>
+    <message>
+        <source>A script needs to know how many shards it has: give --shards a number.</source>
+        <translation>Un script debe saber cuántas partes tiene: dé un número a --shards.</translation>
+    </message>
+    <message>
         <source>A seam cannot be moved so far: it would meet another one.</source>
         <translation>Una costura no se puede mover tan lejos: tocaría otra.</translation>
     </message>
@@ -1303,8 +1447,28 @@
         <translation>Un croquis con cotas: cambie una celda de la hoja y todo la sigue</translation>
     </message>
     <message>
+        <source>A spread of {0} % leaves nothing of the {1}: give {2} at most {3} %.</source>
+        <translation>Una dispersión del {0} % no deja nada ({1}): dé a {2} como mucho un {3} %.</translation>
+    </message>
+    <message>
         <source>A strict reader that wants plain polylines. Layers are told apart by colour: cut red, blue and orange, set the output of all others to no.</source>
         <translation>Un lector estricto que quiere polilíneas sencillas. Las capas se distinguen por el color: corte rojo, azul y naranja, y ponga en no la salida de todas las demás.</translation>
+    </message>
+    <message>
+        <source>A study has no '{0}': it has {1} and {2}.</source>
+        <translation>Un estudio no tiene «{0}»: tiene {1} y {2}.</translation>
+    </message>
+    <message>
+        <source>A study of tolerances is about one balloon: give {0} a single value.</source>
+        <translation>Un estudio de tolerancias trata de un solo globo: dé a {0} un valor único.</translation>
+    </message>
+    <message>
+        <source>A study of tolerances says what strays, such as {"cut": {"normal": "0.2mm"}}.</source>
+        <translation>Un estudio de tolerancias dice qué se desvía, por ejemplo {"cut": {"normal": "0.2mm"}}.</translation>
+    </message>
+    <message>
+        <source>A study of tolerances takes 1 to {0} samples, not {1}: {2} tell a lot.</source>
+        <translation>Un estudio de tolerancias toma de 1 a {0} muestras, no {1}: {2} ya dicen mucho.</translation>
     </message>
     <message>
         <source>A volume of {0} cannot be made: give one such as 10l.</source>
@@ -1341,6 +1505,14 @@
     <message>
         <source>A weld that crumples can be simulated of one panel and its mirror image alone: choose the elastic weld, or one panel and its mirror image.</source>
         <translation>Una soldadura que se arruga solo se puede simular con un panel y su imagen especular: elija la soldadura elástica, o un panel y su imagen especular.</translation>
+    </message>
+    <message>
+        <source>A worker does not have this program ({0}): install it everywhere.</source>
+        <translation>Un worker no tiene este programa ({0}): instálelo en todas partes.</translation>
+    </message>
+    <message>
+        <source>A worker of Dask failed ({0}: {1}).</source>
+        <translation>Un worker de Dask falló ({0}: {1}).</translation>
     </message>
     <message>
         <source>A {0} of {1} cannot be made; choose one between 1 mm and 100 m.</source>
@@ -1427,8 +1599,16 @@
         <translation>Una boca de {0} no sobrepasa el corte: dele al menos {1}.</translation>
     </message>
     <message>
+        <source>Angle</source>
+        <translation>Ángulo</translation>
+    </message>
+    <message>
         <source>Animate inflation</source>
         <translation>Animar el inflado</translation>
+    </message>
+    <message>
+        <source>Another study is running in '{0}': wait for it, or choose another folder.</source>
+        <translation>Otro estudio se ejecuta en «{0}»: espere a que acabe o elija otra carpeta.</translation>
     </message>
     <message>
         <source>Any</source>
@@ -1467,6 +1647,10 @@
         <translation>Hoja de montaje escrita en {}</translation>
     </message>
     <message>
+        <source>At least 95 of 100 balloons bear {0} with their margin, by {1} samples and with a confidence of 95 %.</source>
+        <translation>Al menos 95 de 100 globos soportan {0} con su margen, según {1} muestras y con una confianza del 95 %.</translation>
+    </message>
+    <message>
         <source>At worst the film lies {0} on the wrong side of the body, and a margin of {1} was asked for. Take more panels, or a larger margin.</source>
         <translation>En el peor lugar la película está {0} en el lado equivocado del cuerpo y se pidió un margen de {1}. Tome más paneles o un margen mayor.</translation>
     </message>
@@ -1495,8 +1679,16 @@
         <translation>Globo</translation>
     </message>
     <message>
+        <source>Balloon as a GLB file, for 3D programs</source>
+        <translation>Globo como archivo GLB, para programas 3D</translation>
+    </message>
+    <message>
         <source>Balloon film</source>
         <translation>Película de globo</translation>
+    </message>
+    <message>
+        <source>Balloon of row {0}</source>
+        <translation>Globo de la fila {0}</translation>
     </message>
     <message>
         <source>Balloon pattern</source>
@@ -1515,6 +1707,14 @@
         <translation>Globos de cada uno</translation>
     </message>
     <message>
+        <source>Balloons: {0}, of these are there: {1}</source>
+        <translation>Globos: {0}, de ellos ya hechos: {1}</translation>
+    </message>
+    <message>
+        <source>Balloons: {0}, worked out now: {1}, of these failed: {2}</source>
+        <translation>Globos: {0}, calculados ahora: {1}, de ellos fallidos: {2}</translation>
+    </message>
+    <message>
         <source>Bed</source>
         <translation>Cama</translation>
     </message>
@@ -1525,6 +1725,10 @@
     <message>
         <source>Beside the document</source>
         <translation>Junto al documento</translation>
+    </message>
+    <message>
+        <source>Best of {0} balloons: {1}, with {2}.</source>
+        <translation>El mejor de {0} globos: {1}, con {2}.</translation>
     </message>
     <message>
         <source>Black</source>
@@ -1585,6 +1789,14 @@
     <message>
         <source>Cannot write to {0}: {1}. Choose another folder, or make room there.</source>
         <translation>No se puede escribir en {0}: {1}. Elija otra carpeta o haga sitio.</translation>
+    </message>
+    <message>
+        <source>Cannot write {0}: {1}. Make room there and start the study again; no balloon is lost.</source>
+        <translation>No se puede escribir {0}: {1}. Haga sitio allí e inicie el estudio de nuevo; no se pierde ningún globo.</translation>
+    </message>
+    <message>
+        <source>Charts</source>
+        <translation>Gráficos</translation>
     </message>
     <message>
         <source>Check the size: the 100 mm bar on the cut file or print must measure 100 mm.</source>
@@ -1803,6 +2015,10 @@
         <translation>Arrastrar en la vista</translation>
     </message>
     <message>
+        <source>Drag to turn, turn the wheel to zoom; keys: arrows, plus, minus, Home.</source>
+        <translation>Arrastre para girar, la rueda amplía; teclas: flechas, más, menos, Inicio.</translation>
+    </message>
+    <message>
         <source>Draw a closed line, or paint an area: it becomes a balloon.</source>
         <translation>Dibuje una línea cerrada o pinte una superficie: se convierte en un globo.</translation>
     </message>
@@ -1881,6 +2097,18 @@
     <message>
         <source>Eraser</source>
         <translation>Borrador</translation>
+    </message>
+    <message>
+        <source>Errors as large as these leave no panel: give smaller ones.</source>
+        <translation>Errores tan grandes no dejan ningún panel: indique otros menores.</translation>
+    </message>
+    <message>
+        <source>Errors of {0} stay alike over a length above 0, such as 50mm.</source>
+        <translation>Los errores de {0} se mantienen parecidos a lo largo de una longitud mayor que 0, como 50mm.</translation>
+    </message>
+    <message>
+        <source>Errors that stay alike over {0} alone are too fine for a seam of {1}: give at least {2} as 'along'.</source>
+        <translation>Errores que solo se mantienen parecidos en {0} son demasiado finos para una costura de {1}: dé a «along» al menos {2}.</translation>
     </message>
     <message>
         <source>Every layer becomes a colour of the cut list; layers that share a colour would be merged. Set the import unit to millimetres. Cut red, blue and orange only and switch the output of all others off; the LightBurn project has them on tool layers already.</source>
@@ -2007,6 +2235,10 @@
         <translation>Película propia</translation>
     </message>
     <message>
+        <source>Film that it takes</source>
+        <translation>Película que necesita</translation>
+    </message>
+    <message>
         <source>Film width</source>
         <translation>Anchura de la película</translation>
     </message>
@@ -2063,6 +2295,10 @@
         <translation>Forzada</translation>
     </message>
     <message>
+        <source>Form</source>
+        <translation>Forma</translation>
+    </message>
+    <message>
         <source>Frames are even in movement, not in time. Only the film has mass, the gas has none.</source>
         <translation>Los fotogramas son regulares en movimiento, no en tiempo. Solo la película tiene masa, el gas no.</translation>
     </message>
@@ -2107,6 +2343,10 @@
         <translation>Gas</translation>
     </message>
     <message>
+        <source>Gas that it takes, at the pressure outside</source>
+        <translation>Gas que necesita, a la presión exterior</translation>
+    </message>
+    <message>
         <source>Give --artwork for the front too.</source>
         <translation>Indique también --artwork para el frente.</translation>
     </message>
@@ -2115,12 +2355,24 @@
         <translation>Indique un número de paneles en que se divida el cuerpo.</translation>
     </message>
     <message>
+        <source>Give a study either "{0}" or "{1}".</source>
+        <translation>Dé a un estudio «{0}» o «{1}», no ambos.</translation>
+    </message>
+    <message>
         <source>Give either --material, or all of --young, --poisson and --thickness.</source>
         <translation>Indique --material, o bien --young, --poisson y --thickness, los tres.</translation>
     </message>
     <message>
+        <source>Give either --scheduler or --dask.</source>
+        <translation>Indique --scheduler o --dask, no ambos.</translation>
+    </message>
+    <message>
         <source>Give either a volume or a lift as the goal.</source>
         <translation>Indique como objetivo un volumen o una sustentación.</translation>
+    </message>
+    <message>
+        <source>Give {0} either "{1}" or "{2}", {3}.</source>
+        <translation>Dé a {0} «{1}» o «{2}», {3}.</translation>
     </message>
     <message>
         <source>Given</source>
@@ -2227,6 +2479,10 @@
         <translation>Agujeros de la malla que se cerraron: {0}.</translation>
     </message>
     <message>
+        <source>Hours of welding, where they are known</source>
+        <translation>Horas de soldadura, donde se conocen</translation>
+    </message>
+    <message>
         <source>How a balloon follows its pattern can be worked out for an elastic weld alone: choose that one.</source>
         <translation>Cómo sigue un globo a su patrón solo se puede calcular para una soldadura elástica: elija esa.</translation>
     </message>
@@ -2269,6 +2525,10 @@
     <message>
         <source>In no seam yet: {}</source>
         <translation>Aún en ninguna costura: {}</translation>
+    </message>
+    <message>
+        <source>In {0} of {1} samples the pressure is above the safe one: fill it less.</source>
+        <translation>En {0} de {1} muestras la presión supera la segura: llénelo menos.</translation>
     </message>
     <message>
         <source>Inflate as drawn</source>
@@ -2343,6 +2603,10 @@
         <translation>Queda</translation>
     </message>
     <message>
+        <source>It meets what it was designed for</source>
+        <translation>Cumple aquello para lo que se diseñó</translation>
+    </message>
+    <message>
         <source>It needs more places: give them all.</source>
         <translation>Necesita más lugares: indíquelos todos.</translation>
     </message>
@@ -2351,8 +2615,32 @@
         <translation>Lleva {0} h a {1} m/min y {2} min por cada costura.</translation>
     </message>
     <message>
+        <source>It took longer than {0} s: take a coarser mesh, or raise --timeout.</source>
+        <translation>Tardó más de {0} s: tome una malla más gruesa o aumente --timeout.</translation>
+    </message>
+    <message>
         <source>Its pattern is gone: delete it.</source>
         <translation>Su patrón ya no existe: bórrelo.</translation>
+    </message>
+    <message>
+        <source>Its process ended with {0} ({1}).</source>
+        <translation>Su proceso terminó con {0} ({1}).</translation>
+    </message>
+    <message>
+        <source>Its process was ended by {0}.</source>
+        <translation>Su proceso fue terminado por {0}.</translation>
+    </message>
+    <message>
+        <source>Its process was ended by {0}. It may have lacked memory: take a coarser mesh.</source>
+        <translation>Su proceso fue terminado por {0}. Quizá faltó memoria: tome una malla más gruesa.</translation>
+    </message>
+    <message>
+        <source>Its process was ended by {0}.{1}</source>
+        <translation>Su proceso fue terminado por {0}.{1}</translation>
+    </message>
+    <message>
+        <source>Its workers were killed again and again: take a coarser mesh, or start it again.</source>
+        <translation>Sus workers fueron terminados una y otra vez: tome una malla más gruesa o inícielo de nuevo.</translation>
     </message>
     <message>
         <source>JSON</source>
@@ -2401,6 +2689,10 @@
     <message>
         <source>Largest strain</source>
         <translation>Mayor deformación</translation>
+    </message>
+    <message>
+        <source>Largest tension of the film</source>
+        <translation>Mayor tensión de la película</translation>
     </message>
     <message>
         <source>Lay a picture under the paper for tracing; press again to take it away</source>
@@ -2461,6 +2753,14 @@
     <message>
         <source>Length of a gore</source>
         <translation>Longitud de un gajo</translation>
+    </message>
+    <message>
+        <source>Length of the seams</source>
+        <translation>Longitud de las costuras</translation>
+    </message>
+    <message>
+        <source>Length of the usual roll that it takes</source>
+        <translation>Longitud que necesita del rollo habitual</translation>
     </message>
     <message>
         <source>Letter</source>
@@ -2707,12 +3007,20 @@
         <translation>Sin él no se puede inflar ningún globo de nuevo; los patrones se pueden cambiar y escribir.</translation>
     </message>
     <message>
+        <source>No balloon has {0} and {1}: these limits exclude each other.</source>
+        <translation>Ningún globo tiene {0} y {1}: estos límites se excluyen.</translation>
+    </message>
+    <message>
         <source>No file could be made.</source>
         <translation>No se pudo crear ningún archivo.</translation>
     </message>
     <message>
         <source>No file for {0}: {1}</source>
         <translation>Sin archivo para {0}: {1}</translation>
+    </message>
+    <message>
+        <source>No file is like '{0}' in '{1}'. Check the pattern and the folder.</source>
+        <translation>No hay ningún archivo como «{0}» en «{1}». Revise el patrón de búsqueda y la carpeta.</translation>
     </message>
     <message>
         <source>No limit</source>
@@ -2737,6 +3045,10 @@
     <message>
         <source>No pattern here has pieces of "{0}": choose another film.</source>
         <translation>Ningún patrón de aquí tiene piezas de «{0}»: elija otra película.</translation>
+    </message>
+    <message>
+        <source>No process can be started beside this one ({0}).</source>
+        <translation>No se puede iniciar ningún proceso junto a este ({0}).</translation>
     </message>
     <message>
         <source>No seam can be drawn near {0}.</source>
@@ -2767,12 +3079,24 @@
         <translation>Ningún triángulo de la malla tiene área. Guarde el cuerpo como malla de triángulos.</translation>
     </message>
     <message>
+        <source>No worker of Dask can be reached at '{0}' ({1}): start a scheduler and workers, and give its address.</source>
+        <translation>No se alcanza ningún worker de Dask en «{0}» ({1}): inicie un planificador y workers e indique su dirección.</translation>
+    </message>
+    <message>
         <source>No, use NumPy</source>
         <translation>No, usar NumPy</translation>
     </message>
     <message>
         <source>None</source>
         <translation>Ninguno</translation>
+    </message>
+    <message>
+        <source>None of {0} balloons could be made: the table says why.</source>
+        <translation>No se pudo hacer ninguno de {0} globos: la tabla dice por qué.</translation>
+    </message>
+    <message>
+        <source>None of {0} balloons is within the limits; the nearest: {1}, asked for {2}.</source>
+        <translation>Ninguno de {0} globos está dentro de los límites; el más cercano: {1}, se pedía {2}.</translation>
     </message>
     <message>
         <source>Not possible</source>
@@ -2795,12 +3119,24 @@
         <translation>Nota: {0}</translation>
     </message>
     <message>
+        <source>Notes</source>
+        <translation>Notas</translation>
+    </message>
+    <message>
         <source>Nothing can be computed without it; documents open and keep their shapes.</source>
         <translation>Sin él no se puede calcular nada; los documentos se abren y conservan sus formas.</translation>
     </message>
     <message>
+        <source>Nothing strays that is called "{0}": choose of {1}.</source>
+        <translation>Nada de lo que se desvía se llama «{0}»: elija entre {1}.</translation>
+    </message>
+    <message>
         <source>Nothing to improve.</source>
         <translation>Nada que mejorar.</translation>
+    </message>
+    <message>
+        <source>Nothing varies: give "{0}" a column.</source>
+        <translation>Nada varía: dé una columna a «{0}».</translation>
     </message>
     <message>
         <source>Now pick the partner of {}.</source>
@@ -2839,12 +3175,28 @@
         <translation>Desactivada</translation>
     </message>
     <message>
+        <source>Off at most</source>
+        <translation>Desvío máximo</translation>
+    </message>
+    <message>
+        <source>Off it at most</source>
+        <translation>Desvío máximo</translation>
+    </message>
+    <message>
+        <source>Off on average</source>
+        <translation>Desvío medio</translation>
+    </message>
+    <message>
         <source>Off the body</source>
         <translation>Desvío del cuerpo</translation>
     </message>
     <message>
         <source>Off the drawing</source>
         <translation>Desvío del dibujo</translation>
+    </message>
+    <message>
+        <source>Off the drawing, profile or body on average</source>
+        <translation>Desvío medio del dibujo, perfil o cuerpo</translation>
     </message>
     <message>
         <source>Off the drawing: {0} on average, at most {1}</source>
@@ -3103,6 +3455,10 @@
         <translation>Patrón a escala 1 : {0}</translation>
     </message>
     <message>
+        <source>Pattern of the balloon, all pieces</source>
+        <translation>Patrón del globo, todas las piezas</translation>
+    </message>
+    <message>
         <source>Pattern on several pages</source>
         <translation>Patrón en varias páginas</translation>
     </message>
@@ -3263,12 +3619,24 @@
         <translation>Previsto a partir del contorno; aún sin inflar.</translation>
     </message>
     <message>
+        <source>Press a head to sort by it.</source>
+        <translation>Pulse un encabezado para ordenar por él.</translation>
+    </message>
+    <message>
         <source>Pressure</source>
         <translation>Presión</translation>
     </message>
     <message>
+        <source>Pressure inside, above that outside</source>
+        <translation>Presión interior, por encima de la exterior</translation>
+    </message>
+    <message>
         <source>Pressure rises with height</source>
         <translation>La presión crece con la altura</translation>
+    </message>
+    <message>
+        <source>Pressure with the margin left</source>
+        <translation>Presión que conserva el margen</translation>
     </message>
     <message>
         <source>Pressure: {0}</source>
@@ -3403,6 +3771,18 @@
         <translation>Redondear con un radio de</translation>
     </message>
     <message>
+        <source>Row {0}: {1}</source>
+        <translation>Fila {0}: {1}</translation>
+    </message>
+    <message>
+        <source>Rows: {0}, of these make no sense: {1}</source>
+        <translation>Filas: {0}, de ellas sin sentido: {1}</translation>
+    </message>
+    <message>
+        <source>Rows: {0}, without a balloon: {1}</source>
+        <translation>Filas: {0}, sin globo: {1}</translation>
+    </message>
+    <message>
         <source>STL, OBJ, PLY, 3MF or STEP</source>
         <translation>STL, OBJ, PLY, 3MF o STEP</translation>
     </message>
@@ -3433,6 +3813,18 @@
     <message>
         <source>Safe to</source>
         <translation>Seguro hasta</translation>
+    </message>
+    <message>
+        <source>Samples need scipy: install it with pip install scipy.</source>
+        <translation>Las muestras necesitan scipy: instálelo con pip install scipy.</translation>
+    </message>
+    <message>
+        <source>Samples of a {0} need scipy: install it with pip install scipy, or take {1} ones.</source>
+        <translation>Las muestras de tipo {0} necesitan scipy: instálelo con pip install scipy o tome {1}.</translation>
+    </message>
+    <message>
+        <source>Samples: {0}, of these failed: {1}, not at rest: {2}</source>
+        <translation>Muestras: {0}, de ellas fallidas: {1}, sin reposo: {2}</translation>
     </message>
     <message>
         <source>Save results</source>
@@ -3703,6 +4095,14 @@
         <translation>Silhouette Studio (cortador de vinilo)</translation>
     </message>
     <message>
+        <source>Silhouette error, largest</source>
+        <translation>Error de la silueta, máximo</translation>
+    </message>
+    <message>
+        <source>Silhouette error, mean</source>
+        <translation>Error de la silueta, medio</translation>
+    </message>
+    <message>
         <source>Silhouette off the drawing</source>
         <translation>Desvío de la silueta del dibujo</translation>
     </message>
@@ -3795,6 +4195,10 @@
         <translation>Tiras soldadas entre sí</translation>
     </message>
     <message>
+        <source>Studies on Dask need {0}: install it with pip install {1}, or leave --dask and --scheduler out ({2}).</source>
+        <translation>Los estudios en Dask necesitan {0}: instálelo con pip install {1} u omita --dask y --scheduler ({2}).</translation>
+    </message>
+    <message>
         <source>Symmetry</source>
         <translation>Simetría</translation>
     </message>
@@ -3869,6 +4273,10 @@
     <message>
         <source>Target</source>
         <translation>Cuerpo objetivo</translation>
+    </message>
+    <message>
+        <source>Temperatures need scipy: install it with pip install scipy.</source>
+        <translation>Las temperaturas necesitan scipy: instálelo con pip install scipy.</translation>
     </message>
     <message>
         <source>Tension field</source>
@@ -4151,6 +4559,10 @@
         <translation>Los casquetes son demasiado grandes para la pelota. Elija un diámetro menor para ellos.</translation>
     </message>
     <message>
+        <source>The cluster cannot be made ({0}): check the file that --cluster names.</source>
+        <translation>No se puede crear el clúster ({0}): revise el archivo que indica --cluster.</translation>
+    </message>
+    <message>
         <source>The colour would run out: close the line around this place first.</source>
         <translation>El color se saldría: cierre primero la línea alrededor de este lugar.</translation>
     </message>
@@ -4239,6 +4651,14 @@
         <translation>El extremo de una costura no se puede mover solo. Tome la costura entre sus extremos.</translation>
     </message>
     <message>
+        <source>The error of {0} is of the whole contour: leave "along" out.</source>
+        <translation>El error de {0} es de todo el contorno: omita «along».</translation>
+    </message>
+    <message>
+        <source>The error of {0} is per {1}: write "{2}" or "{3}".</source>
+        <translation>El error de {0} es por {1}: escriba «{2}» o «{3}».</translation>
+    </message>
+    <message>
         <source>The faces of {0} cannot be told from each other in a mesh. Repair the solid, or give a mesh of it.</source>
         <translation>Las caras de {0} no se pueden distinguir entre sí en una malla. Repare el sólido, o dé una malla de él.</translation>
     </message>
@@ -4279,8 +4699,16 @@
         <translation>La película «{0}» no tiene masa. Indique su densidad superficial.</translation>
     </message>
     <message>
+        <source>The film came to rest</source>
+        <translation>La película llegó al reposo</translation>
+    </message>
+    <message>
         <source>The film comes as near as {0} to the body, and a margin of {1} was asked for. Take more panels, or a larger margin.</source>
         <translation>La película se acerca hasta {0} al cuerpo y se pidió un margen de {1}. Tome más paneles o un margen mayor.</translation>
+    </message>
+    <message>
+        <source>The film did not come to rest: its numbers are estimates.</source>
+        <translation>La película no llegó al reposo: sus números son estimaciones.</translation>
     </message>
     <message>
         <source>The film file {0} calls itself "{1}": give both the same name.</source>
@@ -4319,8 +4747,28 @@
         <translation>La película queda hasta a {0} del perfil, incluso a medio camino entre las costuras y el centro de los gajos: no puede tomar esta forma. Redondee el perfil donde es plano, hueco o agudo.</translation>
     </message>
     <message>
+        <source>The first {0} of {1} rows, without a balloon: {2}</source>
+        <translation>Las primeras {0} de {1} filas, sin globo: {2}</translation>
+    </message>
+    <message>
+        <source>The first {0} rows; the others are in table.csv.</source>
+        <translation>Las primeras {0} filas; las demás están en table.csv.</translation>
+    </message>
+    <message>
+        <source>The folder '{0}' has vanished: bring it back or choose another one, and start the study again.</source>
+        <translation>La carpeta «{0}» ha desaparecido: recupérela o elija otra e inicie el estudio de nuevo.</translation>
+    </message>
+    <message>
         <source>The free edition opens DXF, not SVG. Choose "as is" for the size in the import preferences. Silhouette makes its own registration marks, and adds the knife's offset and overcut. Nothing is in the file that may not be cut.</source>
         <translation>La edición gratuita abre DXF, no SVG. Elija «tal cual» para el tamaño en las preferencias de importación. Silhouette hace sus propias marcas de registro y añade el desvío de la cuchilla y el sobrecorte. En el archivo no hay nada que no se pueda cortar.</translation>
+    </message>
+    <message>
+        <source>The goal has {0} combinations to choose from, of which each is tried: list 1 to {1}.</source>
+        <translation>El objetivo tiene {0} combinaciones para elegir, y cada una se prueba: enumere de 1 a {1}.</translation>
+    </message>
+    <message>
+        <source>The goal is no JSON object: write {0}.</source>
+        <translation>El objetivo no es un objeto JSON: escriba {0}.</translation>
     </message>
     <message>
         <source>The grain's angle {0} is no number: give degrees from the x axis.</source>
@@ -4703,6 +5151,10 @@
         <translation>La presión debe crecer hacia arriba: indique un gradiente de 0 o más.</translation>
     </message>
     <message>
+        <source>The preview picture needs matplotlib: install it with pip install matplotlib.</source>
+        <translation>La imagen de vista previa necesita matplotlib: instálelo con pip install matplotlib.</translation>
+    </message>
+    <message>
         <source>The print on film</source>
         <translation>La impresión en la película</translation>
     </message>
@@ -4755,6 +5207,22 @@
         <translation>Los demás archivos</translation>
     </message>
     <message>
+        <source>The row has more cells than there are columns: leave out what is too much.</source>
+        <translation>La fila tiene más celdas que columnas hay: quite lo que sobra.</translation>
+    </message>
+    <message>
+        <source>The row has no input: give it the name of a drawing.</source>
+        <translation>La fila no tiene entrada: indique el nombre de un dibujo.</translation>
+    </message>
+    <message>
+        <source>The same in all rows</source>
+        <translation>Igual en todas las filas</translation>
+    </message>
+    <message>
+        <source>The scheduler of Dask went away: start it and the study again; nothing is lost.</source>
+        <translation>El planificador de Dask desapareció: inícielo de nuevo, y también el estudio; no se pierde nada.</translation>
+    </message>
+    <message>
         <source>The seal width must be between 0.01 mm and 1 m, the allowance between 0 and 1 m.</source>
         <translation>La anchura de soldadura debe estar entre 0,01 mm y 1 m, el margen entre 0 y 1 m.</translation>
     </message>
@@ -4775,8 +5243,32 @@
         <translation>Las costuras de {0} gajos sobresalen hasta {1} de sus centros. Más gajos hacen el cuerpo más redondo.</translation>
     </message>
     <message>
+        <source>The search for a goal asks for a few balloons at a time, of this machine: leave out --scheduler and --dask.</source>
+        <translation>La búsqueda de un objetivo pide pocos globos cada vez, a esta máquina: omita --scheduler y --dask.</translation>
+    </message>
+    <message>
+        <source>The search for a goal finds its balloons one after the other: leave out --shard, --script, --dry-run and --collect; what is there already is not made again.</source>
+        <translation>La búsqueda de un objetivo halla sus globos uno tras otro: omita --shard, --script, --dry-run y --collect; lo que ya está no se hace de nuevo.</translation>
+    </message>
+    <message>
+        <source>The search for a goal needs scipy: install it with pip install scipy.</source>
+        <translation>La búsqueda de un objetivo necesita scipy: instálelo con pip install scipy.</translation>
+    </message>
+    <message>
+        <source>The search was stopped; what was made stays.</source>
+        <translation>La búsqueda se detuvo; lo ya hecho queda.</translation>
+    </message>
+    <message>
+        <source>The seed is a whole number from 0 up, not {0}.</source>
+        <translation>La semilla es un número entero desde 0, no {0}.</translation>
+    </message>
+    <message>
         <source>The selected sketches, wires and flat faces become the panels</source>
         <translation>Los croquis, alambres y caras planas seleccionados pasan a ser los paneles</translation>
+    </message>
+    <message>
+        <source>The settings lack "{0}": write {"{1}": {2}} into their file.</source>
+        <translation>A los ajustes les falta «{0}»: escriba {"{1}": {2}} en su archivo.</translation>
     </message>
     <message>
         <source>The shape in the picture is too frayed to trace. Use a clearer picture.</source>
@@ -4867,8 +5359,56 @@
         <translation>La velocidad de soldadura debe ser mayor que 0, y el tiempo por costura no menor que 0.</translation>
     </message>
     <message>
+        <source>The spread of {0} cannot be {1}: write it with its unit, such as "{2}".</source>
+        <translation>La dispersión de {0} no puede ser {1}: escríbala con su unidad, como «{2}».</translation>
+    </message>
+    <message>
+        <source>The spread of {0} has "{1}", which is none of {2}.</source>
+        <translation>La dispersión de {0} tiene «{1}», que no es ninguno de {2}.</translation>
+    </message>
+    <message>
+        <source>The spread of {0} is {1}: give one above 0, or leave it out.</source>
+        <translation>La dispersión de {0} es {1}: indique una mayor que 0 u omítala.</translation>
+    </message>
+    <message>
+        <source>The spread of {0} is {1}: write one {2}.</source>
+        <translation>La dispersión de {0} es {1}: escriba una {2}.</translation>
+    </message>
+    <message>
+        <source>The step of {0} has another unit than its ends: write the same one.</source>
+        <translation>El paso de {0} tiene otra unidad que sus extremos: escriba la misma.</translation>
+    </message>
+    <message>
         <source>The strips of valves are not here: lay them out on a sheet of their own, with "Valve film".</source>
         <translation>Las tiras de las válvulas no están aquí: colóquelas en una lámina aparte, con «Película de válvula».</translation>
+    </message>
+    <message>
+        <source>The study cannot go on ({0}).</source>
+        <translation>El estudio no puede continuar ({0}).</translation>
+    </message>
+    <message>
+        <source>The study has no inputs: give it a column 'input' with the names of drawings.</source>
+        <translation>El estudio no tiene entradas: dele una columna «input» con los nombres de dibujos.</translation>
+    </message>
+    <message>
+        <source>The study has no rows.</source>
+        <translation>El estudio no tiene filas.</translation>
+    </message>
+    <message>
+        <source>The study has the column {0} twice.</source>
+        <translation>El estudio tiene dos veces la columna {0}.</translation>
+    </message>
+    <message>
+        <source>The study has {0} rows, more than {1}: take fewer values, or give --most {2} if that is meant.</source>
+        <translation>El estudio tiene {0} filas, más de {1}: tome menos valores o indique --most {2} si es lo que quiere.</translation>
+    </message>
+    <message>
+        <source>The study is no JSON object: begin it with {"vary": ...}.</source>
+        <translation>El estudio no es un objeto JSON: empiécelo con {"vary": ...}.</translation>
+    </message>
+    <message>
+        <source>The study was stopped.</source>
+        <translation>El estudio se detuvo.</translation>
     </message>
     <message>
         <source>The summary cannot be shown ({0}); {1}.</source>
@@ -4923,6 +5463,10 @@
         <translation>La anchura de los pasos debe ser 0 o mayor.</translation>
     </message>
     <message>
+        <source>The worker on {0}</source>
+        <translation>El worker en {0}</translation>
+    </message>
+    <message>
         <source>The {0} "{1}" of the material card {2} cannot be read: correct the card.</source>
         <translation>El {0} «{1}» de la ficha de material {2} no se puede leer: corrija la ficha.</translation>
     </message>
@@ -4971,6 +5515,10 @@
         <translation>La línea {0} que empieza en {1} está abierta: los programas solo rellenan, desplazan y cortan líneas cerradas. Ciérrela.</translation>
     </message>
     <message>
+        <source>The {0} strays by {1} % in sample {2}, which leaves nothing of it: give a smaller spread.</source>
+        <translation>En la muestra {2} el desvío es del {1} % y no deja nada ({0}): indique una dispersión menor.</translation>
+    </message>
+    <message>
         <source>The {0} {1} is not between {2} and {3} {4}: give one such as {5}.</source>
         <translation>El valor ({0}) {1} no está entre {2} y {3} {4}: indique por ejemplo {5}.</translation>
     </message>
@@ -5001,6 +5549,10 @@
     <message>
         <source>There is no "{0}" to repair in {1}: see its advice.</source>
         <translation>No hay «{0}» que reparar en {1}: vea sus consejos.</translation>
+    </message>
+    <message>
+        <source>There is no column '{0}': {1}.</source>
+        <translation>No hay columna «{0}»: {1}.</translation>
     </message>
     <message>
         <source>There is no file '{0}'. Check the name and the folder.</source>
@@ -5083,6 +5635,10 @@
         <translation>No hay un cuerpo listo «{0}». Elija uno de {1}.</translation>
     </message>
     <message>
+        <source>There is no result '{0}': take {1}.</source>
+        <translation>No hay resultado «{0}»: tome {1}.</translation>
+    </message>
+    <message>
         <source>There is no room for a flange of {0} in its middle: choose another panel or a smaller one.</source>
         <translation>En su centro no hay sitio para una brida de {0}: elija otro panel o una más pequeña.</translation>
     </message>
@@ -5101,6 +5657,10 @@
     <message>
         <source>There is no seam {0} for the opening: the seams are 1 to {1}.</source>
         <translation>No hay costura {0} para la abertura: las costuras son de 1 a {1}.</translation>
+    </message>
+    <message>
+        <source>There is no share {0} of {1}: write one from 1/{2} on.</source>
+        <translation>No hay parte {0} de {1}: escriba una a partir de 1/{2}.</translation>
     </message>
     <message>
         <source>There is no sheet {0}: give a number from 1 to {1}.</source>
@@ -5149,6 +5709,10 @@
     <message>
         <source>This arm stays much thinner than the rest: drawn {width} wide, it becomes {measured} thick. For a rounder one make it {wanted} wide.</source>
         <translation>Este brazo queda mucho más fino que el resto: dibujado con {width} de ancho, queda con {measured} de grueso. Para que sea más redondo, hágalo de {wanted} de ancho.</translation>
+    </message>
+    <message>
+        <source>This balloon has not been worked out yet: start the study again.</source>
+        <translation>Este globo aún no se ha calculado: inicie el estudio de nuevo.</translation>
     </message>
     <message>
         <source>This balloon holds less than {0} at any pressure that suits its film: {1} at {2}. Change the size of the balloon or the volume.</source>
@@ -5217,6 +5781,18 @@
     <message>
         <source>Tip that stays flat</source>
         <translation>Punta que queda plana</translation>
+    </message>
+    <message>
+        <source>Tolerances are worked out for two equal panels of one shape: </source>
+        <translation>Las tolerancias se calculan para dos paneles iguales de una sola forma: </translation>
+    </message>
+    <message>
+        <source>Tolerances are worked out for two equal panels, of which one is simulated: leave out --two-panels, and take a drawing.</source>
+        <translation>Las tolerancias se calculan para dos paneles iguales, de los que se simula uno: omita --two-panels y tome un dibujo.</translation>
+    </message>
+    <message>
+        <source>Too many samples could not be made to say which pressure 95 of 100 balloons bear.</source>
+        <translation>No se pudieron hacer demasiadas muestras para decir qué presión soportan 95 de 100 globos.</translation>
     </message>
     <message>
         <source>Tracing paper, 92 g/m²</source>
@@ -5303,6 +5879,10 @@
         <translation>Deshacer (Ctrl+Z)</translation>
     </message>
     <message>
+        <source>Uniform errors along a seam need scipy: pip install scipy.</source>
+        <translation>Los errores uniformes a lo largo de una costura necesitan scipy: pip install scipy.</translation>
+    </message>
+    <message>
         <source>Unknown</source>
         <translation>Desconocido</translation>
     </message>
@@ -5357,6 +5937,10 @@
     <message>
         <source>Weight</source>
         <translation>Peso</translation>
+    </message>
+    <message>
+        <source>Weight of film, welds and valve</source>
+        <translation>Peso de película, soldaduras y válvula</translation>
     </message>
     <message>
         <source>Weld</source>
@@ -5427,6 +6011,22 @@
         <translation>Lo que piden casi todos los talleres: R12, polilíneas cerradas, nada en la lámina que no se corte. R12 no conoce unidades, por eso las dice el nombre del archivo.</translation>
     </message>
     <message>
+        <source>What shows the balloon</source>
+        <translation>Lo que muestra el globo</translation>
+    </message>
+    <message>
+        <source>What the chosen gas carries besides</source>
+        <translation>Lo que el gas elegido lleva además</translation>
+    </message>
+    <message>
+        <source>What this film costs, without what is left over</source>
+        <translation>Lo que cuesta esta película, sin los recortes</translation>
+    </message>
+    <message>
+        <source>What this gas costs</source>
+        <translation>Lo que cuesta este gas</translation>
+    </message>
+    <message>
         <source>What this machine can work on, such as 600 x 400 mm, or 600 mm for a roll; empty where there is no limit. It is kept for this machine</source>
         <translation>Lo que esta máquina puede trabajar, por ejemplo 600 x 400 mm, o 600 mm para un rollo; vacío si no hay límite. Se guarda para esta máquina</translation>
     </message>
@@ -5437,6 +6037,10 @@
     <message>
         <source>What {0} sent is not the native solver of this release: its SHA-256 is another one. It was not kept. {1}</source>
         <translation>Lo que envió {0} no es el solucionador nativo de esta versión: su SHA-256 es otro. No se guardó. {1}</translation>
+    </message>
+    <message>
+        <source>When all shards are done, --collect writes the table.</source>
+        <translation>Cuando todas las partes estén hechas, --collect escribe la tabla.</translation>
     </message>
     <message>
         <source>Where an edge is cut into tabs, turn it round the other one tab by tab while you seal.</source>
@@ -5587,6 +6191,14 @@
         <translation>Módulo de Young transversal a la fibra</translation>
     </message>
     <message>
+        <source>Young's modulus of the film</source>
+        <translation>Módulo de Young de la película</translation>
+    </message>
+    <message>
+        <source>["200mm", "300mm"], {"linspace": ["1kPa", "3kPa", 5]} with how many, {"range": [6, 12, 2]} with the step, {"between": ["1kPa", "3kPa"]} for samples, or {"glob": "drawings/*.png"}</source>
+        <translation>["200mm", "300mm"], {"linspace": ["1kPa", "3kPa", 5]} con la cantidad, {"range": [6, 12, 2]} con el paso, {"between": ["1kPa", "3kPa"]} para muestras, o {"glob": "drawings/*.png"}</translation>
+    </message>
+    <message>
         <source>a LightBurn project has layers up to {0}: change the pen.</source>
         <translation>un proyecto de LightBurn tiene capas hasta la {0}: cambie la pluma.</translation>
     </message>
@@ -5603,20 +6215,52 @@
         <translation>una coordenada no es un número</translation>
     </message>
     <message>
+        <source>a density</source>
+        <translation>una densidad</translation>
+    </message>
+    <message>
         <source>a face is no list of points.</source>
         <translation>una cara no es una lista de puntos.</translation>
+    </message>
+    <message>
+        <source>a force</source>
+        <translation>una fuerza</translation>
+    </message>
+    <message>
+        <source>a length</source>
+        <translation>una longitud</translation>
+    </message>
+    <message>
+        <source>a mass</source>
+        <translation>una masa</translation>
+    </message>
+    <message>
+        <source>a number without a unit</source>
+        <translation>un número sin unidad</translation>
     </message>
     <message>
         <source>a point is no three numbers.</source>
         <translation>un punto no son tres números.</translation>
     </message>
     <message>
+        <source>a pressure</source>
+        <translation>una presión</translation>
+    </message>
+    <message>
         <source>a sleeve has an end</source>
         <translation>una manga tiene un extremo</translation>
     </message>
     <message>
+        <source>a temperature</source>
+        <translation>una temperatura</translation>
+    </message>
+    <message>
         <source>a transform is not a number</source>
         <translation>una transformación no es un número</translation>
+    </message>
+    <message>
+        <source>a volume</source>
+        <translation>un volumen</translation>
     </message>
     <message>
         <source>a {0} file has a unit of its own: give "unit": "mm".</source>
@@ -5639,8 +6283,20 @@
         <translation>todos los archivos se escribieron antes en {0}</translation>
     </message>
     <message>
+        <source>an angle</source>
+        <translation>un ángulo</translation>
+    </message>
+    <message>
+        <source>an area</source>
+        <translation>un área</translation>
+    </message>
+    <message>
         <source>another run has been writing there for a minute</source>
         <translation>otra ejecución lleva un minuto escribiendo ahí</translation>
+    </message>
+    <message>
+        <source>another unit</source>
+        <translation>otra unidad</translation>
     </message>
     <message>
         <source>any accuracy</source>
@@ -5675,8 +6331,20 @@
         <translation>dorso</translation>
     </message>
     <message>
+        <source>balloon {0} of {1}</source>
+        <translation>globo {0} de {1}</translation>
+    </message>
+    <message>
+        <source>balloon {0} of {1} at most</source>
+        <translation>globo {0} de {1} como máximo</translation>
+    </message>
+    <message>
         <source>balloon {0} of {1}, {2}</source>
         <translation>globo {0} de {1}, {2}</translation>
+    </message>
+    <message>
+        <source>balloons</source>
+        <translation>globos</translation>
     </message>
     <message>
         <source>bed_mm is {0}: give [width, height], or null where there is no limit.</source>
@@ -5931,6 +6599,10 @@
         <translation>inferior</translation>
     </message>
     <message>
+        <source>making a balloon of a study</source>
+        <translation>al hacer un globo de un estudio</translation>
+    </message>
+    <message>
         <source>making the document</source>
         <translation>crear el documento</translation>
     </message>
@@ -5999,6 +6671,10 @@
         <translation>presión</translation>
     </message>
     <message>
+        <source>pressure at filling</source>
+        <translation>presión al llenar</translation>
+    </message>
+    <message>
         <source>printing</source>
         <translation>imprimiendo</translation>
     </message>
@@ -6055,8 +6731,16 @@
         <translation>resistencia</translation>
     </message>
     <message>
+        <source>strength of film and weld</source>
+        <translation>resistencia de película y soldadura</translation>
+    </message>
+    <message>
         <source>strength of the film not known</source>
         <translation>resistencia de la película desconocida</translation>
+    </message>
+    <message>
+        <source>such as {"normal": "{0}"}</source>
+        <translation>como {"normal": "{0}"}</translation>
     </message>
     <message>
         <source>taped seam</source>
@@ -6071,12 +6755,24 @@
         <translation>temperatura</translation>
     </message>
     <message>
+        <source>temperature after filling</source>
+        <translation>temperatura después de llenar</translation>
+    </message>
+    <message>
         <source>the answer is not HTTP</source>
         <translation>la respuesta no es HTTP</translation>
     </message>
     <message>
+        <source>the balloons that were made stay, and the same command goes on</source>
+        <translation>los globos ya hechos quedan y la misma orden continúa</translation>
+    </message>
+    <message>
         <source>the colour "{0}" is not written like #ff0000.</source>
         <translation>el color «{0}» no está escrito como #ff0000.</translation>
+    </message>
+    <message>
+        <source>the columns are the options of the command line</source>
+        <translation>las columnas son las opciones de la línea de órdenes</translation>
     </message>
     <message>
         <source>the connection ended too soon</source>
@@ -6107,6 +6803,10 @@
         <translation>el nombre «{0}» del material va en los nombres de archivo: use letras de la a a la z.</translation>
     </message>
     <message>
+        <source>the nearest are {0}</source>
+        <translation>las más parecidas son {0}</translation>
+    </message>
+    <message>
         <source>the sealing side {0} is no polymer: give one such as "PE", or "none".</source>
         <translation>la cara de sellado {0} no es un polímero: indique uno como "PE", o "none".</translation>
     </message>
@@ -6129,6 +6829,10 @@
     <message>
         <source>thickness</source>
         <translation>espesor</translation>
+    </message>
+    <message>
+        <source>thickness of the film</source>
+        <translation>espesor de la película</translation>
     </message>
     <message>
         <source>thin PE film, 30 to 50 µm</source>
@@ -6195,6 +6899,10 @@
         <translation>width_mm debe ser mayor que 0, y taper de 0,2 a 1.</translation>
     </message>
     <message>
+        <source>without a word</source>
+        <translation>sin una palabra</translation>
+    </message>
+    <message>
         <source>wrinkled: {}</source>
         <translation>arrugado: {}</translation>
     </message>
@@ -6219,8 +6927,20 @@
         <translation>Las líneas {0} y {1} se tocan cerca de {2}: mueva el agujero hacia dentro o reduzca el margen.</translation>
     </message>
     <message>
+        <source>{0} at least {1}</source>
+        <translation>{0} de al menos {1}</translation>
+    </message>
+    <message>
+        <source>{0} at most {1}</source>
+        <translation>{0} de como mucho {1}</translation>
+    </message>
+    <message>
         <source>{0} balloons cannot be laid out: give 1 or more.</source>
         <translation>{0} globos no se pueden colocar: indique 1 o más.</translation>
+    </message>
+    <message>
+        <source>{0} begins in {1} and ends in {2}: write both in one unit.</source>
+        <translation>{0} empieza en {1} y acaba en {2}: escriba ambos en una sola unidad.</translation>
     </message>
     <message>
         <source>{0} belongs to no balloon: choose an outline, a balloon or a pattern.</source>
@@ -6235,12 +6955,24 @@
         <translation>{0} no se puede cargar ({1}).</translation>
     </message>
     <message>
+        <source>{0} cannot be read ({1}): write {2}.</source>
+        <translation>{0} no se puede leer ({1}): escriba {2}.</translation>
+    </message>
+    <message>
+        <source>{0} cannot work: {1}</source>
+        <translation>{0} no puede trabajar: {1}</translation>
+    </message>
+    <message>
         <source>{0} changed since. Choose Inflate now in its context menu, or switch Live on.</source>
         <translation>Ha cambiado: {0}. Elija «Inflar ahora» en su menú contextual o active En vivo.</translation>
     </message>
     <message>
         <source>{0} does not have the native solver (answer {1}). Try again later. {2}</source>
         <translation>{0} no tiene el solucionador nativo (respuesta {1}). Inténtelo más tarde. {2}</translation>
+    </message>
+    <message>
+        <source>{0} does not see the folder '{1}': choose one that all machines share.</source>
+        <translation>{0} no ve la carpeta «{1}»: elija una que compartan todas las máquinas.</translation>
     </message>
     <message>
         <source>{0} dots per inch cannot be printed well: give {1} to {2}.</source>
@@ -6291,12 +7023,20 @@
         <translation>{0} aún no tiene resultado: recalcúlelo.</translation>
     </message>
     <message>
+        <source>{0} has no room between its ends: write the smaller one first.</source>
+        <translation>{0} no tiene espacio entre sus extremos: escriba primero el menor.</translation>
+    </message>
+    <message>
         <source>{0} has no shape. Choose a solid or a mesh.</source>
         <translation>{0} no tiene forma. Elija un sólido o una malla.</translation>
     </message>
     <message>
         <source>{0} has no shape: select a sketch, a wire or a face.</source>
         <translation>{0} no tiene forma: seleccione un croquis, un alambre o una cara.</translation>
+    </message>
+    <message>
+        <source>{0} has no values: write {1}.</source>
+        <translation>{0} no tiene valores: escriba {1}.</translation>
     </message>
     <message>
         <source>{0} has not been built.</source>
@@ -6309,6 +7049,10 @@
     <message>
         <source>{0} has several faces: select those that are panels.</source>
         <translation>{0} tiene varias caras: seleccione las que son paneles.</translation>
+    </message>
+    <message>
+        <source>{0} has version {1}, not {2}: install the same one everywhere.</source>
+        <translation>{0} tiene la versión {1}, no {2}: instale la misma en todas partes.</translation>
     </message>
     <message>
         <source>{0} has {1} bodies: choose one of them.</source>
@@ -6343,6 +7087,10 @@
         <translation>{0} es un borde de un agujero: elija como abertura uno de un contorno exterior.</translation>
     </message>
     <message>
+        <source>{0} is at an end of its range: a wider one may hold a better balloon.</source>
+        <translation>{0} está en un extremo de su rango: uno más amplio puede contener un globo mejor.</translation>
+    </message>
+    <message>
         <source>{0} is curved both ways: it is cut into {1} strips.</source>
         <translation>{0} está curvada en dos sentidos: se corta en {1} tiras.</translation>
     </message>
@@ -6357,6 +7105,10 @@
     <message>
         <source>{0} is damaged: install the workbench anew, or go on without the native solver.</source>
         <translation>{0} está dañado: instale de nuevo el banco de trabajo o siga sin el solucionador nativo.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: remove it and start the study again.</source>
+        <translation>{0} está dañado: elimínelo e inicie el estudio de nuevo.</translation>
     </message>
     <message>
         <source>{0} is empty: draw a closed line in it.</source>
@@ -6405,6 +7157,10 @@
     <message>
         <source>{0} is no body: give a solid, a mesh or the path of a file.</source>
         <translation>{0} no es un cuerpo: dé un sólido, una malla o la ruta de un archivo.</translation>
+    </message>
+    <message>
+        <source>{0} is no number: list its values.</source>
+        <translation>{0} no es un número: enumere sus valores.</translation>
     </message>
     <message>
         <source>{0} is not a coordinate</source>
@@ -6495,6 +7251,10 @@
         <translation>{0} no se debe cortar nunca con láser: elija una máquina con cuchilla.</translation>
     </message>
     <message>
+        <source>{0} never gets from '{1}' to '{2}' by '{3}'.</source>
+        <translation>{0} nunca llega de «{1}» a «{2}» con «{3}».</translation>
+    </message>
+    <message>
         <source>{0} notches are closer than {1}: take fewer.</source>
         <translation>{0} muescas quedan a menos de {1}: tome menos.</translation>
     </message>
@@ -6507,6 +7267,10 @@
         <translation>un {0} de su tamaño</translation>
     </message>
     <message>
+        <source>{0} of {1} is {2}, but its expression '{3}' gives {4}: change the expression.</source>
+        <translation>{0} de {1} es {2}, pero su expresión «{3}» da {4}: cambie la expresión.</translation>
+    </message>
+    <message>
         <source>{0} open line was left out.</source>
         <translation>Se omitió {0} línea abierta.</translation>
     </message>
@@ -6515,12 +7279,24 @@
         <translation>Se omitieron {0} líneas abiertas.</translation>
     </message>
     <message>
+        <source>{0} over {1}</source>
+        <translation>{0} en función de {1}</translation>
+    </message>
+    <message>
         <source>{0} panels meet at one point, which no weld closes: seal the cap from the sheet over it, or tape it.</source>
         <translation>{0} paneles se juntan en un punto que ninguna soldadura cierra: selle encima el casquete de la lámina, o péguelo con cinta.</translation>
     </message>
     <message>
         <source>{0} reads {1}, which has no pages: choose paper.</source>
         <translation>{0} lee {1}, que no tiene páginas: elija papel.</translation>
+    </message>
+    <message>
+        <source>{0} runs between two ends: say how to take samples in "{1}".</source>
+        <translation>{0} va entre dos extremos: diga en «{1}» cómo tomar muestras.</translation>
+    </message>
+    <message>
+        <source>{0} samples are too few to say which pressure 95 of 100 balloons bear: take {1} or more.</source>
+        <translation>{0} muestras son muy pocas para decir qué presión soportan 95 de 100 globos: tome {1} o más.</translation>
     </message>
     <message>
         <source>{0} seams cannot be sealed lying flat, least of all seam {1} of panels {2}: one edge turns by {3} in all to follow the other. Seal them bit by bit, or round the corners.</source>
@@ -6533,6 +7309,10 @@
     <message>
         <source>{0} small specks were dropped.</source>
         <translation>Se omitieron {0} motas pequeñas.</translation>
+    </message>
+    <message>
+        <source>{0} takes from 1 to {1} equal parts, not '{2}'.</source>
+        <translation>{0} toma de 1 a {1} partes iguales, no «{2}».</translation>
     </message>
     <message>
         <source>{0} thin line is</source>
@@ -6575,6 +7355,10 @@
         <translation>{0} con válvula de {1}</translation>
     </message>
     <message>
+        <source>{0}, inflated: {1}</source>
+        <translation>{0}, inflado: {1}</translation>
+    </message>
+    <message>
         <source>{0}: lay its pieces out on sheets of that size, make the balloon smaller, or write the file anyway.</source>
         <translation>{0}: coloque sus piezas en láminas de ese tamaño, reduzca el globo o haga escribir el archivo de todos modos.</translation>
     </message>
@@ -6597,6 +7381,14 @@
     <message>
         <source>{0}; wider than the usual roll</source>
         <translation>{0}; más ancha que el rollo habitual</translation>
+    </message>
+    <message>
+        <source>{0}take a drawing, without a side band or gores.</source>
+        <translation>{0}tome un dibujo, sin banda lateral ni gajos.</translation>
+    </message>
+    <message>
+        <source>{0}this drawing has {1} shapes, study one at a time.</source>
+        <translation>{0}este dibujo tiene {1} formas, estúdielas una por una.</translation>
     </message>
     <message>
         <source>{0}what is shown is the last good state. Lower the pressure or change the mesh size.</source>

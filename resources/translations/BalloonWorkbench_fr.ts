@@ -975,8 +975,24 @@
 <context>
     <name>BalloonWorkbench</name>
     <message>
+        <source> It may have lacked memory: take a coarser mesh.</source>
+        <translation> La mémoire a peut-être manqué : prenez un maillage plus grossier.</translation>
+    </message>
+    <message>
         <source> is not ready: </source>
         <translation> n'est pas prêt : </translation>
+    </message>
+    <message>
+        <source>"hosts" is no list: write {0}.</source>
+        <translation>« hosts » n'est pas une liste : écrivez {0}.</translation>
+    </message>
+    <message>
+        <source>"{0}" cannot be read: write {"kind": "latin-hypercube", "rows": 100, "seed": 1}.</source>
+        <translation>« {0} » est illisible : écrivez {"kind": "latin-hypercube", "rows": 100, "seed": 1}.</translation>
+    </message>
+    <message>
+        <source>"{0}" has one result and its value: write {"lift": "20 g"}.</source>
+        <translation>« {0} » a un résultat et sa valeur : écrivez {"lift": "20 g"}.</translation>
     </message>
     <message>
         <source>"{0}" is an edge of {1} panels: name the face too, as in {2}.</source>
@@ -1003,8 +1019,36 @@
         <translation>« {0} » ne peut pas utiliser {1}.</translation>
     </message>
     <message>
+        <source>"{0}" of "{1}" is no whole number: write one.</source>
+        <translation>« {0} » de « {1} » n'est pas un nombre entier : écrivez-en un.</translation>
+    </message>
+    <message>
+        <source>"{0}" of the study is no JSON object: write {"width": ...}.</source>
+        <translation>« {0} » de l'étude n'est pas un objet JSON : écrivez {"width": ...}.</translation>
+    </message>
+    <message>
+        <source>"{0}" of the study is no list of JSON objects: write [{"input": ...}, ...].</source>
+        <translation>« {0} » de l'étude n'est pas une liste d'objets JSON : écrivez [{"input": ...}, ...].</translation>
+    </message>
+    <message>
+        <source>"{0}" says what may be chosen: write {"width": ["100mm", "400mm"]}.</source>
+        <translation>« {0} » dit ce qui peut être choisi : écrivez {"width": ["100mm", "400mm"]}.</translation>
+    </message>
+    <message>
+        <source>'{0}' cannot be kept: write {1} or {2}.</source>
+        <translation>« {0} » ne peut pas être conservé : écrivez {1} ou {2}.</translation>
+    </message>
+    <message>
         <source>'{0}' cannot be read ({1}). Check the name and its access.</source>
         <translation>« {0} » ne peut pas être lu ({1}). Vérifiez le nom et les droits d'accès.</translation>
+    </message>
+    <message>
+        <source>'{0}' cannot be read ({1}): name a JSON file of settings.</source>
+        <translation>« {0} » est illisible ({1}) : indiquez un fichier JSON de réglages.</translation>
+    </message>
+    <message>
+        <source>'{0}' has a column twice.</source>
+        <translation>« {0} » a deux fois la même colonne.</translation>
     </message>
     <message>
         <source>'{0}' has its own panels: leave out what you give of gores or of a side band.</source>
@@ -1075,12 +1119,80 @@
         <translation>« {0} » n'est ni SVG, ni DXF, ni JSON. Enregistrez le dessin dans un de ces formats.</translation>
     </message>
     <message>
+        <source>'{0}' is neither yes nor no: write one of them for {1}.</source>
+        <translation>« {0} » n'est ni yes ni no : écrivez l'un des deux pour {1}.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no JSON ({1}{2}).</source>
+        <translation>« {0} » n'est pas du JSON ({1}{2}).</translation>
+    </message>
+    <message>
+        <source>'{0}' is no JSON object: write {"queue": ...}.</source>
+        <translation>« {0} » n'est pas un objet JSON : écrivez {"queue": ...}.</translation>
+    </message>
+    <message>
         <source>'{0}' is no closed body: leave out --panels, or give an STL, OBJ, PLY, 3MF or STEP.</source>
         <translation>« {0} » n'est pas un corps fermé : retirez --panels, ou donnez un STL, OBJ, PLY, 3MF ou STEP.</translation>
     </message>
     <message>
+        <source>'{0}' is no cluster: write one of {1}.</source>
+        <translation>« {0} » n'est pas un cluster : écrivez l'un de {1}.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no command of a study: write {1} or {2}.</source>
+        <translation>« {0} » n'est pas une commande d'étude : écrivez {1} ou {2}.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no difference of temperatures: write 5K, 5C or 9F.</source>
+        <translation>« {0} » n'est pas un écart de température : écrivez 5K, 5C ou 9F.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no file: name one.</source>
+        <translation>« {0} » n'est pas un fichier : indiquez-en un.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no number for {1}.</source>
+        <translation>« {0} » n'est pas un nombre pour {1}.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no single value for {1}.</source>
+        <translation>« {0} » n'est pas une valeur unique pour {1}.</translation>
+    </message>
+    <message>
         <source>'{0}' is no size: write 500mm for a width, 500mmx700mm for width and height.</source>
         <translation>« {0} » n'est pas une taille : écrivez 500mm pour une largeur, 500mmx700mm pour largeur et hauteur.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no table ({1}): save it as CSV.</source>
+        <translation>« {0} » n'est pas un tableau ({1}) : enregistrez-le en CSV.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no text in UTF-8: save it as one.</source>
+        <translation>« {0} » n'est pas un texte en UTF-8 : enregistrez-le ainsi.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no text in UTF-8: save the table as CSV in UTF-8.</source>
+        <translation>« {0} » n'est pas un texte en UTF-8 : enregistrez le tableau en CSV, en UTF-8.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no value for an option of sbatch: write one line.</source>
+        <translation>« {0} » n'est pas une valeur pour une option de sbatch : écrivez une seule ligne.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no value for {1}.</source>
+        <translation>« {0} » n'est pas une valeur pour {1}.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no value for {1}: write a number in its unit.</source>
+        <translation>« {0} » n'est pas une valeur pour {1} : écrivez un nombre dans son unité.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no way to take samples: write {1} or {2}.</source>
+        <translation>« {0} » n'est pas une façon de tirer des échantillons : écrivez {1} ou {2}.</translation>
+    </message>
+    <message>
+        <source>'{0}' is none of {1} for {2}.</source>
+        <translation>« {0} » n'est aucun de {1} pour {2}.</translation>
     </message>
     <message>
         <source>'{0}' is not a drawing that can be read. Use PNG, JPEG, BMP, SVG, DXF or JSON.</source>
@@ -1127,6 +1239,10 @@
         <translation>, dont {0} en miroir</translation>
     </message>
     <message>
+        <source>--jobs and --timeout are numbers above 0.</source>
+        <translation>--jobs et --timeout sont des nombres supérieurs à 0.</translation>
+    </message>
+    <message>
         <source>--oversize scale makes the balloon smaller until it fits, --oversize write writes the file anyway, --bed tells how large the bed is.</source>
         <translation>--oversize scale réduit le ballon jusqu'à ce qu'il tienne, --oversize write écrit le fichier quand même, --bed dit la taille du plateau.</translation>
     </message>
@@ -1141,6 +1257,10 @@
     <message>
         <source>95 % below {} ({})</source>
         <translation>95 % sous {} ({})</translation>
+    </message>
+    <message>
+        <source>95 % of it below</source>
+        <translation>95 % en dessous de</translation>
     </message>
     <message>
         <source>A balloon has no "{0}": it has {1}.</source>
@@ -1193,6 +1313,14 @@
     <message>
         <source>A file of this name is there already</source>
         <translation>Un fichier de ce nom existe déjà</translation>
+    </message>
+    <message>
+        <source>A goal has no '{0}': it has one of {1}, and {2} and {3}.</source>
+        <translation>Un but n'a pas de « {0} » : il a l'un de {1}, ainsi que {2} et {3}.</translation>
+    </message>
+    <message>
+        <source>A goal has one of {0}: write {1}.</source>
+        <translation>Un but a l'un de {0} : écrivez {1}.</translation>
     </message>
     <message>
         <source>A hole meets the outline or another hole at {0}; keep some film between them.</source>
@@ -1251,6 +1379,10 @@
         <translation>Un nombre d'un embout est vide.</translation>
     </message>
     <message>
+        <source>A package for this cluster is missing: {0}</source>
+        <translation>Il manque un paquet pour ce cluster : {0}</translation>
+    </message>
+    <message>
         <source>A passage of {0} is left open in the weld at {1}, so that air reaches both sides.</source>
         <translation>Un passage de {0} reste ouvert dans la soudure en {1}, pour que l'air atteigne les deux côtés.</translation>
     </message>
@@ -1279,6 +1411,18 @@
         <translation>Un plan demande sa normale. Donnez-en une.</translation>
     </message>
     <message>
+        <source>A process beside this one does not start: {0}</source>
+        <translation>Un processus à côté de celui-ci ne démarre pas : {0}</translation>
+    </message>
+    <message>
+        <source>A process beside this one is of version {0}, not of {1}: install one of them anew.</source>
+        <translation>Un processus à côté de celui-ci est de la version {0}, et non {1} : réinstallez l'un des deux.</translation>
+    </message>
+    <message>
+        <source>A script needs to know how many shards it has: give --shards a number.</source>
+        <translation>Un script doit savoir combien de parts il a : donnez un nombre à --shards.</translation>
+    </message>
+    <message>
         <source>A seam cannot be moved so far: it would meet another one.</source>
         <translation>Une couture ne peut pas être déplacée si loin : elle en rencontrerait une autre.</translation>
     </message>
@@ -1303,8 +1447,28 @@
         <translation>Une esquisse cotée : changez une cellule du tableur, et tout suit</translation>
     </message>
     <message>
+        <source>A spread of {0} % leaves nothing of the {1}: give {2} at most {3} %.</source>
+        <translation>Une dispersion de {0} % ne laisse rien ({1}) : donnez à {2} au plus {3} %.</translation>
+    </message>
+    <message>
         <source>A strict reader that wants plain polylines. Layers are told apart by colour: cut red, blue and orange, set the output of all others to no.</source>
         <translation>Un lecteur strict qui veut des polylignes simples. Les calques se distinguent par la couleur : coupez le rouge, le bleu et l'orange, mettez la sortie de tous les autres sur non.</translation>
+    </message>
+    <message>
+        <source>A study has no '{0}': it has {1} and {2}.</source>
+        <translation>Une étude n'a pas de « {0} » : elle a {1} et {2}.</translation>
+    </message>
+    <message>
+        <source>A study of tolerances is about one balloon: give {0} a single value.</source>
+        <translation>Une étude de tolérances porte sur un seul ballon : donnez à {0} une valeur unique.</translation>
+    </message>
+    <message>
+        <source>A study of tolerances says what strays, such as {"cut": {"normal": "0.2mm"}}.</source>
+        <translation>Une étude de tolérances dit ce qui varie, par exemple {"cut": {"normal": "0.2mm"}}.</translation>
+    </message>
+    <message>
+        <source>A study of tolerances takes 1 to {0} samples, not {1}: {2} tell a lot.</source>
+        <translation>Une étude de tolérances prend 1 à {0} échantillons, pas {1} : {2} en disent déjà long.</translation>
     </message>
     <message>
         <source>A volume of {0} cannot be made: give one such as 10l.</source>
@@ -1341,6 +1505,14 @@
     <message>
         <source>A weld that crumples can be simulated of one panel and its mirror image alone: choose the elastic weld, or one panel and its mirror image.</source>
         <translation>Une soudure qui se froisse ne peut être simulée qu'avec un seul panneau et son image miroir : choisissez la soudure élastique, ou un seul panneau et son image miroir.</translation>
+    </message>
+    <message>
+        <source>A worker does not have this program ({0}): install it everywhere.</source>
+        <translation>Un worker n'a pas ce programme ({0}) : installez-le partout.</translation>
+    </message>
+    <message>
+        <source>A worker of Dask failed ({0}: {1}).</source>
+        <translation>Un worker de Dask a échoué ({0} : {1}).</translation>
     </message>
     <message>
         <source>A {0} of {1} cannot be made; choose one between 1 mm and 100 m.</source>
@@ -1427,8 +1599,16 @@
         <translation>Un embout de {0} ne dépasse pas la coupe : donnez-lui au moins {1}.</translation>
     </message>
     <message>
+        <source>Angle</source>
+        <translation>Angle</translation>
+    </message>
+    <message>
         <source>Animate inflation</source>
         <translation>Animer le gonflage</translation>
+    </message>
+    <message>
+        <source>Another study is running in '{0}': wait for it, or choose another folder.</source>
+        <translation>Une autre étude tourne dans « {0} » : attendez-la, ou choisissez un autre dossier.</translation>
     </message>
     <message>
         <source>Any</source>
@@ -1467,6 +1647,10 @@
         <translation>Fiche de montage écrite dans {}</translation>
     </message>
     <message>
+        <source>At least 95 of 100 balloons bear {0} with their margin, by {1} samples and with a confidence of 95 %.</source>
+        <translation>Au moins 95 ballons sur 100 supportent {0} avec leur marge, d'après {1} échantillons et avec une confiance de 95 %.</translation>
+    </message>
+    <message>
         <source>At worst the film lies {0} on the wrong side of the body, and a margin of {1} was asked for. Take more panels, or a larger margin.</source>
         <translation>Au pire, le film se trouve à {0} du mauvais côté du corps, alors qu'une marge de {1} est demandée. Prendre plus de panneaux ou une marge plus grande.</translation>
     </message>
@@ -1495,8 +1679,16 @@
         <translation>Ballon</translation>
     </message>
     <message>
+        <source>Balloon as a GLB file, for 3D programs</source>
+        <translation>Ballon en fichier GLB, pour les logiciels 3D</translation>
+    </message>
+    <message>
         <source>Balloon film</source>
         <translation>Film du ballon</translation>
+    </message>
+    <message>
+        <source>Balloon of row {0}</source>
+        <translation>Ballon de la ligne {0}</translation>
     </message>
     <message>
         <source>Balloon pattern</source>
@@ -1515,6 +1707,14 @@
         <translation>Ballons de chacun</translation>
     </message>
     <message>
+        <source>Balloons: {0}, of these are there: {1}</source>
+        <translation>Ballons : {0}, dont déjà là : {1}</translation>
+    </message>
+    <message>
+        <source>Balloons: {0}, worked out now: {1}, of these failed: {2}</source>
+        <translation>Ballons : {0}, calculés cette fois : {1}, dont échoués : {2}</translation>
+    </message>
+    <message>
         <source>Bed</source>
         <translation>Plateau</translation>
     </message>
@@ -1525,6 +1725,10 @@
     <message>
         <source>Beside the document</source>
         <translation>À côté du document</translation>
+    </message>
+    <message>
+        <source>Best of {0} balloons: {1}, with {2}.</source>
+        <translation>Meilleur de {0} ballons : {1}, avec {2}.</translation>
     </message>
     <message>
         <source>Black</source>
@@ -1585,6 +1789,14 @@
     <message>
         <source>Cannot write to {0}: {1}. Choose another folder, or make room there.</source>
         <translation>Impossible d'écrire dans {0} : {1}. Choisissez un autre dossier, ou libérez de la place.</translation>
+    </message>
+    <message>
+        <source>Cannot write {0}: {1}. Make room there and start the study again; no balloon is lost.</source>
+        <translation>Impossible d'écrire {0} : {1}. Faites-y de la place et relancez l'étude ; aucun ballon n'est perdu.</translation>
+    </message>
+    <message>
+        <source>Charts</source>
+        <translation>Graphiques</translation>
     </message>
     <message>
         <source>Check the size: the 100 mm bar on the cut file or print must measure 100 mm.</source>
@@ -1803,6 +2015,10 @@
         <translation>Glisser dans la vue</translation>
     </message>
     <message>
+        <source>Drag to turn, turn the wheel to zoom; keys: arrows, plus, minus, Home.</source>
+        <translation>Glissez pour tourner, la molette zoome ; touches : flèches, plus, moins, Origine.</translation>
+    </message>
+    <message>
         <source>Draw a closed line, or paint an area: it becomes a balloon.</source>
         <translation>Tracez une ligne fermée, ou peignez une surface : elle devient un ballon.</translation>
     </message>
@@ -1881,6 +2097,18 @@
     <message>
         <source>Eraser</source>
         <translation>Gomme</translation>
+    </message>
+    <message>
+        <source>Errors as large as these leave no panel: give smaller ones.</source>
+        <translation>Des erreurs aussi grandes ne laissent aucun panneau : donnez-en de plus petites.</translation>
+    </message>
+    <message>
+        <source>Errors of {0} stay alike over a length above 0, such as 50mm.</source>
+        <translation>Les erreurs de {0} restent semblables sur une longueur supérieure à 0, par exemple 50mm.</translation>
+    </message>
+    <message>
+        <source>Errors that stay alike over {0} alone are too fine for a seam of {1}: give at least {2} as 'along'.</source>
+        <translation>Des erreurs qui ne restent semblables que sur {0} sont trop fines pour une couture de {1} : donnez au moins {2} à « along ».</translation>
     </message>
     <message>
         <source>Every layer becomes a colour of the cut list; layers that share a colour would be merged. Set the import unit to millimetres. Cut red, blue and orange only and switch the output of all others off; the LightBurn project has them on tool layers already.</source>
@@ -2007,6 +2235,10 @@
         <translation>Votre propre film</translation>
     </message>
     <message>
+        <source>Film that it takes</source>
+        <translation>Film nécessaire</translation>
+    </message>
+    <message>
         <source>Film width</source>
         <translation>Largeur du film</translation>
     </message>
@@ -2063,6 +2295,10 @@
         <translation>Forcée</translation>
     </message>
     <message>
+        <source>Form</source>
+        <translation>Forme</translation>
+    </message>
+    <message>
         <source>Frames are even in movement, not in time. Only the film has mass, the gas has none.</source>
         <translation>Les images sont régulières en mouvement, non en temps. Seul le film a une masse, le gaz n'en a pas.</translation>
     </message>
@@ -2107,6 +2343,10 @@
         <translation>Gaz</translation>
     </message>
     <message>
+        <source>Gas that it takes, at the pressure outside</source>
+        <translation>Gaz nécessaire, à la pression extérieure</translation>
+    </message>
+    <message>
         <source>Give --artwork for the front too.</source>
         <translation>Donnez aussi --artwork pour le devant.</translation>
     </message>
@@ -2115,12 +2355,24 @@
         <translation>Donnez un nombre de panneaux, en lesquels le corps est divisé.</translation>
     </message>
     <message>
+        <source>Give a study either "{0}" or "{1}".</source>
+        <translation>Donnez à une étude soit « {0} », soit « {1} ».</translation>
+    </message>
+    <message>
         <source>Give either --material, or all of --young, --poisson and --thickness.</source>
         <translation>Donnez soit --material, soit à la fois --young, --poisson et --thickness.</translation>
     </message>
     <message>
+        <source>Give either --scheduler or --dask.</source>
+        <translation>Donnez soit --scheduler, soit --dask.</translation>
+    </message>
+    <message>
         <source>Give either a volume or a lift as the goal.</source>
         <translation>Donnez comme but soit un volume, soit une portance.</translation>
+    </message>
+    <message>
+        <source>Give {0} either "{1}" or "{2}", {3}.</source>
+        <translation>Donnez à {0} soit « {1} », soit « {2} », {3}.</translation>
     </message>
     <message>
         <source>Given</source>
@@ -2227,6 +2479,10 @@
         <translation>Trous du maillage qui ont été fermés : {0}.</translation>
     </message>
     <message>
+        <source>Hours of welding, where they are known</source>
+        <translation>Heures de soudage, là où elles sont connues</translation>
+    </message>
+    <message>
         <source>How a balloon follows its pattern can be worked out for an elastic weld alone: choose that one.</source>
         <translation>La façon dont un ballon suit son patron ne se calcule que pour une soudure élastique : choisissez celle-ci.</translation>
     </message>
@@ -2269,6 +2525,10 @@
     <message>
         <source>In no seam yet: {}</source>
         <translation>Encore dans aucune couture : {}</translation>
+    </message>
+    <message>
+        <source>In {0} of {1} samples the pressure is above the safe one: fill it less.</source>
+        <translation>Dans {0} échantillons sur {1}, la pression dépasse la pression sûre : gonflez-le moins.</translation>
     </message>
     <message>
         <source>Inflate as drawn</source>
@@ -2343,6 +2603,10 @@
         <translation>Position</translation>
     </message>
     <message>
+        <source>It meets what it was designed for</source>
+        <translation>Il répond à ce pour quoi il a été conçu</translation>
+    </message>
+    <message>
         <source>It needs more places: give them all.</source>
         <translation>Il manque des endroits : donnez-les tous.</translation>
     </message>
@@ -2351,8 +2615,32 @@
         <translation>Cela prend {0} h à {1} m/min et {2} min par couture.</translation>
     </message>
     <message>
+        <source>It took longer than {0} s: take a coarser mesh, or raise --timeout.</source>
+        <translation>Il a pris plus de {0} s : prenez un maillage plus grossier, ou augmentez --timeout.</translation>
+    </message>
+    <message>
         <source>Its pattern is gone: delete it.</source>
         <translation>Le patron de cette pièce n'existe plus : effacez-la.</translation>
+    </message>
+    <message>
+        <source>Its process ended with {0} ({1}).</source>
+        <translation>Son processus s'est terminé avec {0} ({1}).</translation>
+    </message>
+    <message>
+        <source>Its process was ended by {0}.</source>
+        <translation>Son processus a été arrêté par {0}.</translation>
+    </message>
+    <message>
+        <source>Its process was ended by {0}. It may have lacked memory: take a coarser mesh.</source>
+        <translation>Son processus a été arrêté par {0}. La mémoire a peut-être manqué : prenez un maillage plus grossier.</translation>
+    </message>
+    <message>
+        <source>Its process was ended by {0}.{1}</source>
+        <translation>Son processus a été arrêté par {0}.{1}</translation>
+    </message>
+    <message>
+        <source>Its workers were killed again and again: take a coarser mesh, or start it again.</source>
+        <translation>Ses workers ont été tués à plusieurs reprises : prenez un maillage plus grossier, ou relancez-le.</translation>
     </message>
     <message>
         <source>JSON</source>
@@ -2401,6 +2689,10 @@
     <message>
         <source>Largest strain</source>
         <translation>Plus grande déformation</translation>
+    </message>
+    <message>
+        <source>Largest tension of the film</source>
+        <translation>Plus grande tension du film</translation>
     </message>
     <message>
         <source>Lay a picture under the paper for tracing; press again to take it away</source>
@@ -2461,6 +2753,14 @@
     <message>
         <source>Length of a gore</source>
         <translation>Longueur d'un fuseau</translation>
+    </message>
+    <message>
+        <source>Length of the seams</source>
+        <translation>Longueur des coutures</translation>
+    </message>
+    <message>
+        <source>Length of the usual roll that it takes</source>
+        <translation>Longueur nécessaire du rouleau habituel</translation>
     </message>
     <message>
         <source>Letter</source>
@@ -2707,12 +3007,20 @@
         <translation>Sans lui, aucun ballon ne peut être gonflé de nouveau ; les patrons peuvent être modifiés et écrits.</translation>
     </message>
     <message>
+        <source>No balloon has {0} and {1}: these limits exclude each other.</source>
+        <translation>Aucun ballon n'a {0} et {1} : ces limites s'excluent.</translation>
+    </message>
+    <message>
         <source>No file could be made.</source>
         <translation>Aucun fichier n'a pu être créé.</translation>
     </message>
     <message>
         <source>No file for {0}: {1}</source>
         <translation>Pas de fichier pour {0} : {1}</translation>
+    </message>
+    <message>
+        <source>No file is like '{0}' in '{1}'. Check the pattern and the folder.</source>
+        <translation>Aucun fichier comme « {0} » dans « {1} ». Vérifiez le motif et le dossier.</translation>
     </message>
     <message>
         <source>No limit</source>
@@ -2737,6 +3045,10 @@
     <message>
         <source>No pattern here has pieces of "{0}": choose another film.</source>
         <translation>Aucun patron n'a ici de pièces en « {0} » : choisissez un autre film.</translation>
+    </message>
+    <message>
+        <source>No process can be started beside this one ({0}).</source>
+        <translation>Aucun processus ne peut être lancé à côté de celui-ci ({0}).</translation>
     </message>
     <message>
         <source>No seam can be drawn near {0}.</source>
@@ -2767,12 +3079,24 @@
         <translation>Aucun triangle du maillage n'a de surface. Enregistrez le corps en maillage de triangles.</translation>
     </message>
     <message>
+        <source>No worker of Dask can be reached at '{0}' ({1}): start a scheduler and workers, and give its address.</source>
+        <translation>Aucun worker de Dask n'est joignable à « {0} » ({1}) : lancez un ordonnanceur et des workers, et donnez son adresse.</translation>
+    </message>
+    <message>
         <source>No, use NumPy</source>
         <translation>Non, prendre NumPy</translation>
     </message>
     <message>
         <source>None</source>
         <translation>Aucune</translation>
+    </message>
+    <message>
+        <source>None of {0} balloons could be made: the table says why.</source>
+        <translation>Aucun de {0} ballons n'a pu être fait : le tableau dit pourquoi.</translation>
+    </message>
+    <message>
+        <source>None of {0} balloons is within the limits; the nearest: {1}, asked for {2}.</source>
+        <translation>Aucun de {0} ballons n'est dans les limites ; le plus proche : {1}, demandé : {2}.</translation>
     </message>
     <message>
         <source>Not possible</source>
@@ -2795,12 +3119,24 @@
         <translation>Remarque : {0}</translation>
     </message>
     <message>
+        <source>Notes</source>
+        <translation>Remarques</translation>
+    </message>
+    <message>
         <source>Nothing can be computed without it; documents open and keep their shapes.</source>
         <translation>Sans lui, rien ne peut être calculé ; les documents s'ouvrent et gardent leurs formes.</translation>
     </message>
     <message>
+        <source>Nothing strays that is called "{0}": choose of {1}.</source>
+        <translation>Rien de ce qui varie ne s'appelle « {0} » : choisissez parmi {1}.</translation>
+    </message>
+    <message>
         <source>Nothing to improve.</source>
         <translation>Rien à améliorer.</translation>
+    </message>
+    <message>
+        <source>Nothing varies: give "{0}" a column.</source>
+        <translation>Rien ne varie : donnez une colonne à « {0} ».</translation>
     </message>
     <message>
         <source>Now pick the partner of {}.</source>
@@ -2839,12 +3175,28 @@
         <translation>Désactivée</translation>
     </message>
     <message>
+        <source>Off at most</source>
+        <translation>Écart maximal</translation>
+    </message>
+    <message>
+        <source>Off it at most</source>
+        <translation>Écart maximal</translation>
+    </message>
+    <message>
+        <source>Off on average</source>
+        <translation>Écart moyen</translation>
+    </message>
+    <message>
         <source>Off the body</source>
         <translation>Écart au corps</translation>
     </message>
     <message>
         <source>Off the drawing</source>
         <translation>Écart au dessin</translation>
+    </message>
+    <message>
+        <source>Off the drawing, profile or body on average</source>
+        <translation>Écart moyen au dessin, au profil ou au corps</translation>
     </message>
     <message>
         <source>Off the drawing: {0} on average, at most {1}</source>
@@ -3103,6 +3455,10 @@
         <translation>Patron à l'échelle 1 : {0}</translation>
     </message>
     <message>
+        <source>Pattern of the balloon, all pieces</source>
+        <translation>Patron du ballon, toutes les pièces</translation>
+    </message>
+    <message>
         <source>Pattern on several pages</source>
         <translation>Patron sur plusieurs pages</translation>
     </message>
@@ -3263,12 +3619,24 @@
         <translation>Prévu d'après le contour ; pas encore gonflé.</translation>
     </message>
     <message>
+        <source>Press a head to sort by it.</source>
+        <translation>Cliquez sur un en-tête de colonne pour trier.</translation>
+    </message>
+    <message>
         <source>Pressure</source>
         <translation>Pression</translation>
     </message>
     <message>
+        <source>Pressure inside, above that outside</source>
+        <translation>Pression intérieure, au-dessus de l'extérieure</translation>
+    </message>
+    <message>
         <source>Pressure rises with height</source>
         <translation>La pression croît avec la hauteur</translation>
+    </message>
+    <message>
+        <source>Pressure with the margin left</source>
+        <translation>Pression qui laisse la marge</translation>
     </message>
     <message>
         <source>Pressure: {0}</source>
@@ -3403,6 +3771,18 @@
         <translation>Arrondir au rayon de</translation>
     </message>
     <message>
+        <source>Row {0}: {1}</source>
+        <translation>Ligne {0} : {1}</translation>
+    </message>
+    <message>
+        <source>Rows: {0}, of these make no sense: {1}</source>
+        <translation>Lignes : {0}, dont dénuées de sens : {1}</translation>
+    </message>
+    <message>
+        <source>Rows: {0}, without a balloon: {1}</source>
+        <translation>Lignes : {0}, sans ballon : {1}</translation>
+    </message>
+    <message>
         <source>STL, OBJ, PLY, 3MF or STEP</source>
         <translation>STL, OBJ, PLY, 3MF ou STEP</translation>
     </message>
@@ -3433,6 +3813,18 @@
     <message>
         <source>Safe to</source>
         <translation>Sûr jusqu'à</translation>
+    </message>
+    <message>
+        <source>Samples need scipy: install it with pip install scipy.</source>
+        <translation>Les échantillons demandent scipy : installez-le par pip install scipy.</translation>
+    </message>
+    <message>
+        <source>Samples of a {0} need scipy: install it with pip install scipy, or take {1} ones.</source>
+        <translation>Des échantillons de type {0} demandent scipy : installez-le par pip install scipy, ou prenez {1}.</translation>
+    </message>
+    <message>
+        <source>Samples: {0}, of these failed: {1}, not at rest: {2}</source>
+        <translation>Échantillons : {0}, dont échoués : {1}, pas au repos : {2}</translation>
     </message>
     <message>
         <source>Save results</source>
@@ -3703,6 +4095,14 @@
         <translation>Silhouette Studio (plotter de découpe)</translation>
     </message>
     <message>
+        <source>Silhouette error, largest</source>
+        <translation>Erreur de silhouette, maximale</translation>
+    </message>
+    <message>
+        <source>Silhouette error, mean</source>
+        <translation>Erreur de silhouette, moyenne</translation>
+    </message>
+    <message>
         <source>Silhouette off the drawing</source>
         <translation>Écart de la silhouette au dessin</translation>
     </message>
@@ -3795,6 +4195,10 @@
         <translation>Bandes soudées ensemble</translation>
     </message>
     <message>
+        <source>Studies on Dask need {0}: install it with pip install {1}, or leave --dask and --scheduler out ({2}).</source>
+        <translation>Les études sur Dask demandent {0} : installez-le par pip install {1}, ou omettez --dask et --scheduler ({2}).</translation>
+    </message>
+    <message>
         <source>Symmetry</source>
         <translation>Symétrie</translation>
     </message>
@@ -3869,6 +4273,10 @@
     <message>
         <source>Target</source>
         <translation>Corps visé</translation>
+    </message>
+    <message>
+        <source>Temperatures need scipy: install it with pip install scipy.</source>
+        <translation>Les températures demandent scipy : installez-le par pip install scipy.</translation>
     </message>
     <message>
         <source>Tension field</source>
@@ -4151,6 +4559,10 @@
         <translation>Les calottes sont trop grandes pour la balle. Choisissez-leur un diamètre plus petit.</translation>
     </message>
     <message>
+        <source>The cluster cannot be made ({0}): check the file that --cluster names.</source>
+        <translation>Le cluster ne peut pas être créé ({0}) : vérifiez le fichier que --cluster indique.</translation>
+    </message>
+    <message>
         <source>The colour would run out: close the line around this place first.</source>
         <translation>La couleur déborderait : fermez d'abord la ligne autour de cet endroit.</translation>
     </message>
@@ -4239,6 +4651,14 @@
         <translation>Le bout d'une couture ne peut pas être déplacé seul. Saisissez la couture entre ses bouts.</translation>
     </message>
     <message>
+        <source>The error of {0} is of the whole contour: leave "along" out.</source>
+        <translation>L'erreur de {0} vaut pour tout le contour : omettez « along ».</translation>
+    </message>
+    <message>
+        <source>The error of {0} is per {1}: write "{2}" or "{3}".</source>
+        <translation>L'erreur de {0} est par {1} : écrivez « {2} » ou « {3} ».</translation>
+    </message>
+    <message>
         <source>The faces of {0} cannot be told from each other in a mesh. Repair the solid, or give a mesh of it.</source>
         <translation>Les faces de {0} ne peuvent pas être distinguées dans un maillage. Réparez le solide, ou donnez-en un maillage.</translation>
     </message>
@@ -4279,8 +4699,16 @@
         <translation>Le film « {0} » n'a pas de masse. Donnez sa masse surfacique.</translation>
     </message>
     <message>
+        <source>The film came to rest</source>
+        <translation>Le film est arrivé au repos</translation>
+    </message>
+    <message>
         <source>The film comes as near as {0} to the body, and a margin of {1} was asked for. Take more panels, or a larger margin.</source>
         <translation>Le film s'approche jusqu'à {0} du corps, alors qu'une marge de {1} est demandée. Prendre plus de panneaux ou une marge plus grande.</translation>
+    </message>
+    <message>
+        <source>The film did not come to rest: its numbers are estimates.</source>
+        <translation>Le film n'est pas arrivé au repos : ses nombres sont des estimations.</translation>
     </message>
     <message>
         <source>The film file {0} calls itself "{1}": give both the same name.</source>
@@ -4319,8 +4747,28 @@
         <translation>Le film reste jusqu'à {0} du profil, même à mi-chemin entre les coutures et le milieu des fuseaux : il ne peut pas prendre cette forme. Arrondissez le profil où il est plat, creux ou pointu.</translation>
     </message>
     <message>
+        <source>The first {0} of {1} rows, without a balloon: {2}</source>
+        <translation>Les {0} premières de {1} lignes, sans ballon : {2}</translation>
+    </message>
+    <message>
+        <source>The first {0} rows; the others are in table.csv.</source>
+        <translation>Les {0} premières lignes ; les autres sont dans table.csv.</translation>
+    </message>
+    <message>
+        <source>The folder '{0}' has vanished: bring it back or choose another one, and start the study again.</source>
+        <translation>Le dossier « {0} » a disparu : rétablissez-le ou choisissez-en un autre, et relancez l'étude.</translation>
+    </message>
+    <message>
         <source>The free edition opens DXF, not SVG. Choose "as is" for the size in the import preferences. Silhouette makes its own registration marks, and adds the knife's offset and overcut. Nothing is in the file that may not be cut.</source>
         <translation>L'édition gratuite ouvre le DXF, pas le SVG. Choisissez « tel quel » pour la taille dans les préférences d'import. Silhouette fait ses propres repères, et ajoute le décalage et le dépassement de la lame. Il n'y a rien dans le fichier qui ne puisse être coupé.</translation>
+    </message>
+    <message>
+        <source>The goal has {0} combinations to choose from, of which each is tried: list 1 to {1}.</source>
+        <translation>Le but a {0} combinaisons au choix, dont chacune est essayée : énumérez-en 1 à {1}.</translation>
+    </message>
+    <message>
+        <source>The goal is no JSON object: write {0}.</source>
+        <translation>Le but n'est pas un objet JSON : écrivez {0}.</translation>
     </message>
     <message>
         <source>The grain's angle {0} is no number: give degrees from the x axis.</source>
@@ -4703,6 +5151,10 @@
         <translation>La pression doit croître vers le haut : donnez un gradient de 0 ou plus.</translation>
     </message>
     <message>
+        <source>The preview picture needs matplotlib: install it with pip install matplotlib.</source>
+        <translation>L'image d'aperçu demande matplotlib : installez-le par pip install matplotlib.</translation>
+    </message>
+    <message>
         <source>The print on film</source>
         <translation>L'impression sur film</translation>
     </message>
@@ -4755,6 +5207,22 @@
         <translation>Le reste</translation>
     </message>
     <message>
+        <source>The row has more cells than there are columns: leave out what is too much.</source>
+        <translation>La ligne a plus de cellules qu'il n'y a de colonnes : retirez ce qui est en trop.</translation>
+    </message>
+    <message>
+        <source>The row has no input: give it the name of a drawing.</source>
+        <translation>La ligne n'a pas d'entrée : donnez-lui le nom d'un dessin.</translation>
+    </message>
+    <message>
+        <source>The same in all rows</source>
+        <translation>Identique dans toutes les lignes</translation>
+    </message>
+    <message>
+        <source>The scheduler of Dask went away: start it and the study again; nothing is lost.</source>
+        <translation>L'ordonnanceur de Dask a disparu : relancez-le, puis l'étude ; rien n'est perdu.</translation>
+    </message>
+    <message>
         <source>The seal width must be between 0.01 mm and 1 m, the allowance between 0 and 1 m.</source>
         <translation>La largeur de soudure doit être entre 0,01 mm et 1 m, la marge entre 0 et 1 m.</translation>
     </message>
@@ -4775,8 +5243,32 @@
         <translation>Les coutures de {0} fuseaux dépassent leurs milieux jusqu'à {1}. Plus de fuseaux rendent le corps plus rond.</translation>
     </message>
     <message>
+        <source>The search for a goal asks for a few balloons at a time, of this machine: leave out --scheduler and --dask.</source>
+        <translation>La recherche d'un but demande peu de ballons à la fois, à cette machine : omettez --scheduler et --dask.</translation>
+    </message>
+    <message>
+        <source>The search for a goal finds its balloons one after the other: leave out --shard, --script, --dry-run and --collect; what is there already is not made again.</source>
+        <translation>La recherche d'un but trouve ses ballons l'un après l'autre : omettez --shard, --script, --dry-run et --collect ; ce qui est déjà là n'est pas refait.</translation>
+    </message>
+    <message>
+        <source>The search for a goal needs scipy: install it with pip install scipy.</source>
+        <translation>La recherche d'un but demande scipy : installez-le par pip install scipy.</translation>
+    </message>
+    <message>
+        <source>The search was stopped; what was made stays.</source>
+        <translation>La recherche a été arrêtée ; ce qui a été fait reste.</translation>
+    </message>
+    <message>
+        <source>The seed is a whole number from 0 up, not {0}.</source>
+        <translation>La graine est un nombre entier à partir de 0, pas {0}.</translation>
+    </message>
+    <message>
         <source>The selected sketches, wires and flat faces become the panels</source>
         <translation>Les esquisses, fils et faces planes sélectionnés deviennent les panneaux</translation>
+    </message>
+    <message>
+        <source>The settings lack "{0}": write {"{1}": {2}} into their file.</source>
+        <translation>Il manque « {0} » aux réglages : écrivez {"{1}": {2}} dans leur fichier.</translation>
     </message>
     <message>
         <source>The shape in the picture is too frayed to trace. Use a clearer picture.</source>
@@ -4867,8 +5359,56 @@
         <translation>La vitesse de soudage doit être au-dessus de 0, et la durée pour chaque couture pas au-dessous.</translation>
     </message>
     <message>
+        <source>The spread of {0} cannot be {1}: write it with its unit, such as "{2}".</source>
+        <translation>La dispersion de {0} ne peut pas être {1} : écrivez-la avec son unité, par exemple « {2} ».</translation>
+    </message>
+    <message>
+        <source>The spread of {0} has "{1}", which is none of {2}.</source>
+        <translation>La dispersion de {0} a « {1} », qui n'est aucun de {2}.</translation>
+    </message>
+    <message>
+        <source>The spread of {0} is {1}: give one above 0, or leave it out.</source>
+        <translation>La dispersion de {0} est {1} : donnez-en une supérieure à 0, ou omettez-la.</translation>
+    </message>
+    <message>
+        <source>The spread of {0} is {1}: write one {2}.</source>
+        <translation>La dispersion de {0} est {1} : écrivez-en une {2}.</translation>
+    </message>
+    <message>
+        <source>The step of {0} has another unit than its ends: write the same one.</source>
+        <translation>Le pas de {0} a une autre unité que ses bornes : écrivez la même.</translation>
+    </message>
+    <message>
         <source>The strips of valves are not here: lay them out on a sheet of their own, with "Valve film".</source>
         <translation>Les bandes des valves ne sont pas ici : disposez-les sur une feuille à part, avec « Film de valve ».</translation>
+    </message>
+    <message>
+        <source>The study cannot go on ({0}).</source>
+        <translation>L'étude ne peut pas continuer ({0}).</translation>
+    </message>
+    <message>
+        <source>The study has no inputs: give it a column 'input' with the names of drawings.</source>
+        <translation>L'étude n'a pas d'entrées : donnez-lui une colonne « input » avec les noms de dessins.</translation>
+    </message>
+    <message>
+        <source>The study has no rows.</source>
+        <translation>L'étude n'a pas de lignes.</translation>
+    </message>
+    <message>
+        <source>The study has the column {0} twice.</source>
+        <translation>L'étude a deux fois la colonne {0}.</translation>
+    </message>
+    <message>
+        <source>The study has {0} rows, more than {1}: take fewer values, or give --most {2} if that is meant.</source>
+        <translation>L'étude a {0} lignes, plus que {1} : prenez moins de valeurs, ou donnez --most {2} si c'est voulu.</translation>
+    </message>
+    <message>
+        <source>The study is no JSON object: begin it with {"vary": ...}.</source>
+        <translation>L'étude n'est pas un objet JSON : commencez-la par {"vary": ...}.</translation>
+    </message>
+    <message>
+        <source>The study was stopped.</source>
+        <translation>L'étude a été arrêtée.</translation>
     </message>
     <message>
         <source>The summary cannot be shown ({0}); {1}.</source>
@@ -4923,6 +5463,10 @@
         <translation>La largeur des passages doit être 0 ou plus.</translation>
     </message>
     <message>
+        <source>The worker on {0}</source>
+        <translation>Le worker sur {0}</translation>
+    </message>
+    <message>
         <source>The {0} "{1}" of the material card {2} cannot be read: correct the card.</source>
         <translation>Le {0} « {1} » de la fiche de matériau {2} est illisible : corrigez la fiche.</translation>
     </message>
@@ -4971,6 +5515,10 @@
         <translation>La ligne {0} qui commence en {1} est ouverte : les programmes ne remplissent, décalent et coupent que des lignes fermées. Fermez-la.</translation>
     </message>
     <message>
+        <source>The {0} strays by {1} % in sample {2}, which leaves nothing of it: give a smaller spread.</source>
+        <translation>Dans l'échantillon {2}, l'écart est de {1} % et ne laisse rien ({0}) : donnez une dispersion plus petite.</translation>
+    </message>
+    <message>
         <source>The {0} {1} is not between {2} and {3} {4}: give one such as {5}.</source>
         <translation>La valeur ({0}) {1} n'est pas entre {2} et {3} {4} : donnez par exemple {5}.</translation>
     </message>
@@ -5001,6 +5549,10 @@
     <message>
         <source>There is no "{0}" to repair in {1}: see its advice.</source>
         <translation>Il n'y a pas de « {0} » à réparer dans {1} : voyez ses conseils.</translation>
+    </message>
+    <message>
+        <source>There is no column '{0}': {1}.</source>
+        <translation>Il n'y a pas de colonne « {0} » : {1}.</translation>
     </message>
     <message>
         <source>There is no file '{0}'. Check the name and the folder.</source>
@@ -5083,6 +5635,10 @@
         <translation>Il n'y a pas de corps prêt « {0} ». Choisissez l'un de {1}.</translation>
     </message>
     <message>
+        <source>There is no result '{0}': take {1}.</source>
+        <translation>Il n'y a pas de résultat « {0} » : prenez {1}.</translation>
+    </message>
+    <message>
         <source>There is no room for a flange of {0} in its middle: choose another panel or a smaller one.</source>
         <translation>Il n'y a pas de place en son milieu pour une bride de {0} : choisissez un autre panneau ou une plus petite.</translation>
     </message>
@@ -5101,6 +5657,10 @@
     <message>
         <source>There is no seam {0} for the opening: the seams are 1 to {1}.</source>
         <translation>Il n'y a pas de couture {0} pour l'ouverture : les coutures vont de 1 à {1}.</translation>
+    </message>
+    <message>
+        <source>There is no share {0} of {1}: write one from 1/{2} on.</source>
+        <translation>Il n'y a pas de part {0} sur {1} : écrivez-en une à partir de 1/{2}.</translation>
     </message>
     <message>
         <source>There is no sheet {0}: give a number from 1 to {1}.</source>
@@ -5149,6 +5709,10 @@
     <message>
         <source>This arm stays much thinner than the rest: drawn {width} wide, it becomes {measured} thick. For a rounder one make it {wanted} wide.</source>
         <translation>Ce bras reste bien plus mince que le reste : dessiné large de {width}, il devient épais de {measured}. Pour l'arrondir, faites-le large de {wanted}.</translation>
+    </message>
+    <message>
+        <source>This balloon has not been worked out yet: start the study again.</source>
+        <translation>Ce ballon n'a pas encore été calculé : relancez l'étude.</translation>
     </message>
     <message>
         <source>This balloon holds less than {0} at any pressure that suits its film: {1} at {2}. Change the size of the balloon or the volume.</source>
@@ -5217,6 +5781,18 @@
     <message>
         <source>Tip that stays flat</source>
         <translation>Pointe qui reste plate</translation>
+    </message>
+    <message>
+        <source>Tolerances are worked out for two equal panels of one shape: </source>
+        <translation>Les tolérances sont calculées pour deux panneaux égaux d'une seule forme : </translation>
+    </message>
+    <message>
+        <source>Tolerances are worked out for two equal panels, of which one is simulated: leave out --two-panels, and take a drawing.</source>
+        <translation>Les tolérances sont calculées pour deux panneaux égaux, dont un est simulé : omettez --two-panels, et prenez un dessin.</translation>
+    </message>
+    <message>
+        <source>Too many samples could not be made to say which pressure 95 of 100 balloons bear.</source>
+        <translation>Trop d'échantillons n'ont pas pu être faits pour dire quelle pression 95 ballons sur 100 supportent.</translation>
     </message>
     <message>
         <source>Tracing paper, 92 g/m²</source>
@@ -5303,6 +5879,10 @@
         <translation>Annuler (Ctrl+Z)</translation>
     </message>
     <message>
+        <source>Uniform errors along a seam need scipy: pip install scipy.</source>
+        <translation>Des erreurs uniformes le long d'une couture demandent scipy : pip install scipy.</translation>
+    </message>
+    <message>
         <source>Unknown</source>
         <translation>Inconnu</translation>
     </message>
@@ -5357,6 +5937,10 @@
     <message>
         <source>Weight</source>
         <translation>Masse</translation>
+    </message>
+    <message>
+        <source>Weight of film, welds and valve</source>
+        <translation>Masse du film, des soudures et de la valve</translation>
     </message>
     <message>
         <source>Weld</source>
@@ -5427,6 +6011,22 @@
         <translation>Ce que demandent la plupart des ateliers : R12, polylignes fermées, rien sur la feuille qui ne soit coupé. R12 ne connaît pas d'unité, le nom du fichier la dit donc.</translation>
     </message>
     <message>
+        <source>What shows the balloon</source>
+        <translation>Ce qui montre le ballon</translation>
+    </message>
+    <message>
+        <source>What the chosen gas carries besides</source>
+        <translation>Ce que le gaz choisi porte en plus</translation>
+    </message>
+    <message>
+        <source>What this film costs, without what is left over</source>
+        <translation>Coût de ce film, sans les chutes</translation>
+    </message>
+    <message>
+        <source>What this gas costs</source>
+        <translation>Coût de ce gaz</translation>
+    </message>
+    <message>
         <source>What this machine can work on, such as 600 x 400 mm, or 600 mm for a roll; empty where there is no limit. It is kept for this machine</source>
         <translation>Ce que cette machine peut travailler, par exemple 600 x 400 mm, ou 600 mm pour un rouleau ; vide s'il n'y a pas de limite. C'est gardé pour cette machine</translation>
     </message>
@@ -5437,6 +6037,10 @@
     <message>
         <source>What {0} sent is not the native solver of this release: its SHA-256 is another one. It was not kept. {1}</source>
         <translation>Ce que {0} a envoyé n'est pas le solveur natif de cette version : son SHA-256 est différent. Il n'a pas été gardé. {1}</translation>
+    </message>
+    <message>
+        <source>When all shards are done, --collect writes the table.</source>
+        <translation>Quand toutes les parts sont faites, --collect écrit le tableau.</translation>
     </message>
     <message>
         <source>Where an edge is cut into tabs, turn it round the other one tab by tab while you seal.</source>
@@ -5587,6 +6191,14 @@
         <translation>Module d'Young en travers du film</translation>
     </message>
     <message>
+        <source>Young's modulus of the film</source>
+        <translation>Module d'Young du film</translation>
+    </message>
+    <message>
+        <source>["200mm", "300mm"], {"linspace": ["1kPa", "3kPa", 5]} with how many, {"range": [6, 12, 2]} with the step, {"between": ["1kPa", "3kPa"]} for samples, or {"glob": "drawings/*.png"}</source>
+        <translation>["200mm", "300mm"], {"linspace": ["1kPa", "3kPa", 5]} avec le nombre, {"range": [6, 12, 2]} avec le pas, {"between": ["1kPa", "3kPa"]} pour des échantillons, ou {"glob": "drawings/*.png"}</translation>
+    </message>
+    <message>
         <source>a LightBurn project has layers up to {0}: change the pen.</source>
         <translation>un projet LightBurn a des calques jusqu'à {0} : changez la plume.</translation>
     </message>
@@ -5603,20 +6215,52 @@
         <translation>une coordonnée n'est pas un nombre</translation>
     </message>
     <message>
+        <source>a density</source>
+        <translation>une masse volumique</translation>
+    </message>
+    <message>
         <source>a face is no list of points.</source>
         <translation>une face n'est pas une liste de points.</translation>
+    </message>
+    <message>
+        <source>a force</source>
+        <translation>une force</translation>
+    </message>
+    <message>
+        <source>a length</source>
+        <translation>une longueur</translation>
+    </message>
+    <message>
+        <source>a mass</source>
+        <translation>une masse</translation>
+    </message>
+    <message>
+        <source>a number without a unit</source>
+        <translation>un nombre sans unité</translation>
     </message>
     <message>
         <source>a point is no three numbers.</source>
         <translation>un point n'est pas fait de trois nombres.</translation>
     </message>
     <message>
+        <source>a pressure</source>
+        <translation>une pression</translation>
+    </message>
+    <message>
         <source>a sleeve has an end</source>
         <translation>un manchon a un bout</translation>
     </message>
     <message>
+        <source>a temperature</source>
+        <translation>une température</translation>
+    </message>
+    <message>
         <source>a transform is not a number</source>
         <translation>une transformation n'est pas un nombre</translation>
+    </message>
+    <message>
+        <source>a volume</source>
+        <translation>un volume</translation>
     </message>
     <message>
         <source>a {0} file has a unit of its own: give "unit": "mm".</source>
@@ -5639,8 +6283,20 @@
         <translation>tous les fichiers étaient déjà écrits dans {0}</translation>
     </message>
     <message>
+        <source>an angle</source>
+        <translation>un angle</translation>
+    </message>
+    <message>
+        <source>an area</source>
+        <translation>une aire</translation>
+    </message>
+    <message>
         <source>another run has been writing there for a minute</source>
         <translation>une autre exécution y écrit depuis une minute</translation>
+    </message>
+    <message>
+        <source>another unit</source>
+        <translation>une autre unité</translation>
     </message>
     <message>
         <source>any accuracy</source>
@@ -5675,8 +6331,20 @@
         <translation>dos</translation>
     </message>
     <message>
+        <source>balloon {0} of {1}</source>
+        <translation>ballon {0} sur {1}</translation>
+    </message>
+    <message>
+        <source>balloon {0} of {1} at most</source>
+        <translation>ballon {0} sur {1} au plus</translation>
+    </message>
+    <message>
         <source>balloon {0} of {1}, {2}</source>
         <translation>ballon {0} sur {1}, {2}</translation>
+    </message>
+    <message>
+        <source>balloons</source>
+        <translation>ballons</translation>
     </message>
     <message>
         <source>bed_mm is {0}: give [width, height], or null where there is no limit.</source>
@@ -5931,6 +6599,10 @@
         <translation>bas</translation>
     </message>
     <message>
+        <source>making a balloon of a study</source>
+        <translation>la création d'un ballon d'une étude</translation>
+    </message>
+    <message>
         <source>making the document</source>
         <translation>la création du document</translation>
     </message>
@@ -5999,6 +6671,10 @@
         <translation>pression</translation>
     </message>
     <message>
+        <source>pressure at filling</source>
+        <translation>pression au gonflage</translation>
+    </message>
+    <message>
         <source>printing</source>
         <translation>impression</translation>
     </message>
@@ -6055,8 +6731,16 @@
         <translation>résistance</translation>
     </message>
     <message>
+        <source>strength of film and weld</source>
+        <translation>résistance du film et de la soudure</translation>
+    </message>
+    <message>
         <source>strength of the film not known</source>
         <translation>résistance du film inconnue</translation>
+    </message>
+    <message>
+        <source>such as {"normal": "{0}"}</source>
+        <translation>par exemple {"normal": "{0}"}</translation>
     </message>
     <message>
         <source>taped seam</source>
@@ -6071,12 +6755,24 @@
         <translation>température</translation>
     </message>
     <message>
+        <source>temperature after filling</source>
+        <translation>température après le gonflage</translation>
+    </message>
+    <message>
         <source>the answer is not HTTP</source>
         <translation>la réponse n'est pas du HTTP</translation>
     </message>
     <message>
+        <source>the balloons that were made stay, and the same command goes on</source>
+        <translation>les ballons déjà faits restent, et la même commande continue</translation>
+    </message>
+    <message>
         <source>the colour "{0}" is not written like #ff0000.</source>
         <translation>la couleur « {0} » n'est pas écrite comme #ff0000.</translation>
+    </message>
+    <message>
+        <source>the columns are the options of the command line</source>
+        <translation>les colonnes sont les options de la ligne de commande</translation>
     </message>
     <message>
         <source>the connection ended too soon</source>
@@ -6107,6 +6803,10 @@
         <translation>le nom « {0} » de stock entre dans des noms de fichiers : prenez des lettres de a à z.</translation>
     </message>
     <message>
+        <source>the nearest are {0}</source>
+        <translation>les plus proches sont {0}</translation>
+    </message>
+    <message>
         <source>the sealing side {0} is no polymer: give one such as "PE", or "none".</source>
         <translation>la face soudable {0} n'est pas un polymère : donnez par exemple « PE », ou « none ».</translation>
     </message>
@@ -6129,6 +6829,10 @@
     <message>
         <source>thickness</source>
         <translation>épaisseur</translation>
+    </message>
+    <message>
+        <source>thickness of the film</source>
+        <translation>épaisseur du film</translation>
     </message>
     <message>
         <source>thin PE film, 30 to 50 µm</source>
@@ -6195,6 +6899,10 @@
         <translation>width_mm doit dépasser 0, et taper être de 0,2 à 1.</translation>
     </message>
     <message>
+        <source>without a word</source>
+        <translation>sans un mot</translation>
+    </message>
+    <message>
         <source>wrinkled: {}</source>
         <translation>plissé : {}</translation>
     </message>
@@ -6219,8 +6927,20 @@
         <translation>Les lignes {0} et {1} se rencontrent près de {2} : déplacez le trou vers l'intérieur ou réduisez la marge.</translation>
     </message>
     <message>
+        <source>{0} at least {1}</source>
+        <translation>{0} d'au moins {1}</translation>
+    </message>
+    <message>
+        <source>{0} at most {1}</source>
+        <translation>{0} d'au plus {1}</translation>
+    </message>
+    <message>
         <source>{0} balloons cannot be laid out: give 1 or more.</source>
         <translation>{0} ballons ne peuvent pas être disposés : donnez-en 1 ou plus.</translation>
+    </message>
+    <message>
+        <source>{0} begins in {1} and ends in {2}: write both in one unit.</source>
+        <translation>{0} commence en {1} et finit en {2} : écrivez les deux dans une seule unité.</translation>
     </message>
     <message>
         <source>{0} belongs to no balloon: choose an outline, a balloon or a pattern.</source>
@@ -6235,12 +6955,24 @@
         <translation>{0} ne peut pas être chargé ({1}).</translation>
     </message>
     <message>
+        <source>{0} cannot be read ({1}): write {2}.</source>
+        <translation>{0} est illisible ({1}) : écrivez {2}.</translation>
+    </message>
+    <message>
+        <source>{0} cannot work: {1}</source>
+        <translation>{0} ne peut pas travailler : {1}</translation>
+    </message>
+    <message>
         <source>{0} changed since. Choose Inflate now in its context menu, or switch Live on.</source>
         <translation>Changé depuis : {0}. Choisissez « Gonfler maintenant » dans son menu contextuel, ou activez Direct.</translation>
     </message>
     <message>
         <source>{0} does not have the native solver (answer {1}). Try again later. {2}</source>
         <translation>{0} n'a pas le solveur natif (réponse {1}). Réessayez plus tard. {2}</translation>
+    </message>
+    <message>
+        <source>{0} does not see the folder '{1}': choose one that all machines share.</source>
+        <translation>{0} ne voit pas le dossier « {1} » : choisissez-en un que toutes les machines partagent.</translation>
     </message>
     <message>
         <source>{0} dots per inch cannot be printed well: give {1} to {2}.</source>
@@ -6291,12 +7023,20 @@
         <translation>{0} n'a pas encore de résultat : recalculez-le.</translation>
     </message>
     <message>
+        <source>{0} has no room between its ends: write the smaller one first.</source>
+        <translation>{0} n'a pas de place entre ses bornes : écrivez la plus petite d'abord.</translation>
+    </message>
+    <message>
         <source>{0} has no shape. Choose a solid or a mesh.</source>
         <translation>{0} n'a pas de forme. Choisissez un solide ou un maillage.</translation>
     </message>
     <message>
         <source>{0} has no shape: select a sketch, a wire or a face.</source>
         <translation>{0} n'a pas de forme : sélectionnez une esquisse, un fil ou une face.</translation>
+    </message>
+    <message>
+        <source>{0} has no values: write {1}.</source>
+        <translation>{0} n'a pas de valeurs : écrivez {1}.</translation>
     </message>
     <message>
         <source>{0} has not been built.</source>
@@ -6309,6 +7049,10 @@
     <message>
         <source>{0} has several faces: select those that are panels.</source>
         <translation>{0} a plusieurs faces : sélectionnez celles qui sont des panneaux.</translation>
+    </message>
+    <message>
+        <source>{0} has version {1}, not {2}: install the same one everywhere.</source>
+        <translation>{0} a la version {1}, et non {2} : installez la même partout.</translation>
     </message>
     <message>
         <source>{0} has {1} bodies: choose one of them.</source>
@@ -6343,6 +7087,10 @@
         <translation>{0} est un bord d'un trou : choisissez comme ouverture un bord d'une boucle extérieure.</translation>
     </message>
     <message>
+        <source>{0} is at an end of its range: a wider one may hold a better balloon.</source>
+        <translation>{0} est à une extrémité de sa plage : une plus large contient peut-être un meilleur ballon.</translation>
+    </message>
+    <message>
         <source>{0} is curved both ways: it is cut into {1} strips.</source>
         <translation>{0} est courbé dans les deux sens : coupé en {1} bandes.</translation>
     </message>
@@ -6357,6 +7105,10 @@
     <message>
         <source>{0} is damaged: install the workbench anew, or go on without the native solver.</source>
         <translation>{0} est abîmé : réinstallez l'atelier, ou continuez sans le solveur natif.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: remove it and start the study again.</source>
+        <translation>{0} est endommagé : supprimez-le et relancez l'étude.</translation>
     </message>
     <message>
         <source>{0} is empty: draw a closed line in it.</source>
@@ -6405,6 +7157,10 @@
     <message>
         <source>{0} is no body: give a solid, a mesh or the path of a file.</source>
         <translation>{0} n'est pas un corps : donnez un solide, un maillage ou le chemin d'un fichier.</translation>
+    </message>
+    <message>
+        <source>{0} is no number: list its values.</source>
+        <translation>{0} n'est pas un nombre : énumérez ses valeurs.</translation>
     </message>
     <message>
         <source>{0} is not a coordinate</source>
@@ -6495,6 +7251,10 @@
         <translation>{0} ne doit jamais être coupé au laser : choisissez une machine à lame.</translation>
     </message>
     <message>
+        <source>{0} never gets from '{1}' to '{2}' by '{3}'.</source>
+        <translation>{0} ne va jamais de « {1} » à « {2} » par « {3} ».</translation>
+    </message>
+    <message>
         <source>{0} notches are closer than {1}: take fewer.</source>
         <translation>{0} encoches sont plus serrées que {1} : prenez-en moins.</translation>
     </message>
@@ -6507,6 +7267,10 @@
         <translation>{0} de sa taille</translation>
     </message>
     <message>
+        <source>{0} of {1} is {2}, but its expression '{3}' gives {4}: change the expression.</source>
+        <translation>{0} de {1} est {2}, mais son expression « {3} » donne {4} : changez l'expression.</translation>
+    </message>
+    <message>
         <source>{0} open line was left out.</source>
         <translation>{0} ligne ouverte a été omise.</translation>
     </message>
@@ -6515,12 +7279,24 @@
         <translation>{0} lignes ouvertes ont été omises.</translation>
     </message>
     <message>
+        <source>{0} over {1}</source>
+        <translation>{0} en fonction de {1}</translation>
+    </message>
+    <message>
         <source>{0} panels meet at one point, which no weld closes: seal the cap from the sheet over it, or tape it.</source>
         <translation>{0} panneaux se rejoignent en un point qu'aucune soudure ne ferme : soudez-y la calotte de la feuille, ou scotchez-le.</translation>
     </message>
     <message>
         <source>{0} reads {1}, which has no pages: choose paper.</source>
         <translation>{0} lit {1}, qui n'a pas de pages : choisissez le papier.</translation>
+    </message>
+    <message>
+        <source>{0} runs between two ends: say how to take samples in "{1}".</source>
+        <translation>{0} varie entre deux bornes : dites dans « {1} » comment tirer des échantillons.</translation>
+    </message>
+    <message>
+        <source>{0} samples are too few to say which pressure 95 of 100 balloons bear: take {1} or more.</source>
+        <translation>{0} échantillons sont trop peu pour dire quelle pression 95 ballons sur 100 supportent : prenez-en {1} ou plus.</translation>
     </message>
     <message>
         <source>{0} seams cannot be sealed lying flat, least of all seam {1} of panels {2}: one edge turns by {3} in all to follow the other. Seal them bit by bit, or round the corners.</source>
@@ -6533,6 +7309,10 @@
     <message>
         <source>{0} small specks were dropped.</source>
         <translation>{0} petites taches ont été omises.</translation>
+    </message>
+    <message>
+        <source>{0} takes from 1 to {1} equal parts, not '{2}'.</source>
+        <translation>{0} prend de 1 à {1} parties égales, pas « {2} ».</translation>
     </message>
     <message>
         <source>{0} thin line is</source>
@@ -6575,6 +7355,10 @@
         <translation>{0} avec une valve de {1}</translation>
     </message>
     <message>
+        <source>{0}, inflated: {1}</source>
+        <translation>{0}, gonflé : {1}</translation>
+    </message>
+    <message>
         <source>{0}: lay its pieces out on sheets of that size, make the balloon smaller, or write the file anyway.</source>
         <translation>{0} : disposez ses pièces sur des feuilles de cette taille, réduisez le ballon, ou faites écrire le fichier quand même.</translation>
     </message>
@@ -6597,6 +7381,14 @@
     <message>
         <source>{0}; wider than the usual roll</source>
         <translation>{0} ; plus large que le rouleau habituel</translation>
+    </message>
+    <message>
+        <source>{0}take a drawing, without a side band or gores.</source>
+        <translation>{0}prenez un dessin, sans bande latérale ni fuseaux.</translation>
+    </message>
+    <message>
+        <source>{0}this drawing has {1} shapes, study one at a time.</source>
+        <translation>{0}ce dessin a {1} formes, étudiez-les une à une.</translation>
     </message>
     <message>
         <source>{0}what is shown is the last good state. Lower the pressure or change the mesh size.</source>

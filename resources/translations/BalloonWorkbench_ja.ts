@@ -975,8 +975,24 @@
 <context>
     <name>BalloonWorkbench</name>
     <message>
+        <source> It may have lacked memory: take a coarser mesh.</source>
+        <translation>メモリーが足りなかった可能性があります。メッシュを粗くしてください。</translation>
+    </message>
+    <message>
         <source> is not ready: </source>
         <translation> の準備ができていません：</translation>
+    </message>
+    <message>
+        <source>"hosts" is no list: write {0}.</source>
+        <translation>「hosts」はリストではありません。{0} のように書いてください。</translation>
+    </message>
+    <message>
+        <source>"{0}" cannot be read: write {"kind": "latin-hypercube", "rows": 100, "seed": 1}.</source>
+        <translation>「{0}」を読み取れません。{"kind": "latin-hypercube", "rows": 100, "seed": 1} のように書いてください。</translation>
+    </message>
+    <message>
+        <source>"{0}" has one result and its value: write {"lift": "20 g"}.</source>
+        <translation>「{0}」には結果 1 つとその値を書きます。{"lift": "20 g"} のように書いてください。</translation>
     </message>
     <message>
         <source>"{0}" is an edge of {1} panels: name the face too, as in {2}.</source>
@@ -1003,8 +1019,36 @@
         <translation>「{0}」では {1} を使えません。</translation>
     </message>
     <message>
+        <source>"{0}" of "{1}" is no whole number: write one.</source>
+        <translation>「{1}」の「{0}」は整数ではありません。整数を書いてください。</translation>
+    </message>
+    <message>
+        <source>"{0}" of the study is no JSON object: write {"width": ...}.</source>
+        <translation>スタディの「{0}」は JSON オブジェクトではありません。{"width": ...} のように書いてください。</translation>
+    </message>
+    <message>
+        <source>"{0}" of the study is no list of JSON objects: write [{"input": ...}, ...].</source>
+        <translation>スタディの「{0}」は JSON オブジェクトのリストではありません。[{"input": ...}, ...] のように書いてください。</translation>
+    </message>
+    <message>
+        <source>"{0}" says what may be chosen: write {"width": ["100mm", "400mm"]}.</source>
+        <translation>「{0}」には選べるものを書きます。{"width": ["100mm", "400mm"]} のように書いてください。</translation>
+    </message>
+    <message>
+        <source>'{0}' cannot be kept: write {1} or {2}.</source>
+        <translation>「{0}」は保存できません。{1} か {2} と書いてください。</translation>
+    </message>
+    <message>
         <source>'{0}' cannot be read ({1}). Check the name and its access.</source>
         <translation>「{0}」を読めません（{1}）。名前とアクセス権を確かめてください。</translation>
+    </message>
+    <message>
+        <source>'{0}' cannot be read ({1}): name a JSON file of settings.</source>
+        <translation>「{0}」を読み取れません（{1}）。設定の JSON ファイルを指定してください。</translation>
+    </message>
+    <message>
+        <source>'{0}' has a column twice.</source>
+        <translation>「{0}」に同じ列が 2 つあります。</translation>
     </message>
     <message>
         <source>'{0}' has its own panels: leave out what you give of gores or of a side band.</source>
@@ -1075,12 +1119,80 @@
         <translation>「{0}」は SVG、DXF、JSON のどれでもありません。いずれかで保存してください。</translation>
     </message>
     <message>
+        <source>'{0}' is neither yes nor no: write one of them for {1}.</source>
+        <translation>「{0}」は yes でも no でもありません。{1} にはどちらかを書いてください。</translation>
+    </message>
+    <message>
+        <source>'{0}' is no JSON ({1}{2}).</source>
+        <translation>「{0}」は JSON ではありません（{1}{2}）。</translation>
+    </message>
+    <message>
+        <source>'{0}' is no JSON object: write {"queue": ...}.</source>
+        <translation>「{0}」は JSON オブジェクトではありません。{"queue": ...} のように書いてください。</translation>
+    </message>
+    <message>
         <source>'{0}' is no closed body: leave out --panels, or give an STL, OBJ, PLY, 3MF or STEP.</source>
         <translation>「{0}」は閉じた立体ではありません。--panels を外すか、STL、OBJ、PLY、3MF、STEP を渡してください。</translation>
     </message>
     <message>
+        <source>'{0}' is no cluster: write one of {1}.</source>
+        <translation>「{0}」というクラスターはありません。{1} のどれかを書いてください。</translation>
+    </message>
+    <message>
+        <source>'{0}' is no command of a study: write {1} or {2}.</source>
+        <translation>「{0}」はスタディのコマンドではありません。{1} か {2} と書いてください。</translation>
+    </message>
+    <message>
+        <source>'{0}' is no difference of temperatures: write 5K, 5C or 9F.</source>
+        <translation>「{0}」は温度差ではありません。5K、5C、9F のように書いてください。</translation>
+    </message>
+    <message>
+        <source>'{0}' is no file: name one.</source>
+        <translation>「{0}」はファイルではありません。ファイルを指定してください。</translation>
+    </message>
+    <message>
+        <source>'{0}' is no number for {1}.</source>
+        <translation>「{0}」は {1} の数として使えません。</translation>
+    </message>
+    <message>
+        <source>'{0}' is no single value for {1}.</source>
+        <translation>「{0}」は {1} の単一の値ではありません。</translation>
+    </message>
+    <message>
         <source>'{0}' is no size: write 500mm for a width, 500mmx700mm for width and height.</source>
         <translation>「{0}」は大きさではありません。幅だけなら 500mm、幅と高さなら 500mmx700mm のように書いてください。</translation>
+    </message>
+    <message>
+        <source>'{0}' is no table ({1}): save it as CSV.</source>
+        <translation>「{0}」は表ではありません（{1}）。CSV で保存してください。</translation>
+    </message>
+    <message>
+        <source>'{0}' is no text in UTF-8: save it as one.</source>
+        <translation>「{0}」は UTF-8 のテキストではありません。UTF-8 で保存してください。</translation>
+    </message>
+    <message>
+        <source>'{0}' is no text in UTF-8: save the table as CSV in UTF-8.</source>
+        <translation>「{0}」は UTF-8 のテキストではありません。表を UTF-8 の CSV で保存してください。</translation>
+    </message>
+    <message>
+        <source>'{0}' is no value for an option of sbatch: write one line.</source>
+        <translation>「{0}」は sbatch のオプションの値ではありません。1 行で書いてください。</translation>
+    </message>
+    <message>
+        <source>'{0}' is no value for {1}.</source>
+        <translation>「{0}」は {1} の値ではありません。</translation>
+    </message>
+    <message>
+        <source>'{0}' is no value for {1}: write a number in its unit.</source>
+        <translation>「{0}」は {1} の値ではありません。その単位で数を書いてください。</translation>
+    </message>
+    <message>
+        <source>'{0}' is no way to take samples: write {1} or {2}.</source>
+        <translation>「{0}」はサンプルの取り方ではありません。{1} か {2} と書いてください。</translation>
+    </message>
+    <message>
+        <source>'{0}' is none of {1} for {2}.</source>
+        <translation>「{0}」は {2} に使える {1} のどれでもありません。</translation>
     </message>
     <message>
         <source>'{0}' is not a drawing that can be read. Use PNG, JPEG, BMP, SVG, DXF or JSON.</source>
@@ -1127,6 +1239,10 @@
         <translation>（うち反転 {0} 枚）</translation>
     </message>
     <message>
+        <source>--jobs and --timeout are numbers above 0.</source>
+        <translation>--jobs と --timeout は 0 より大きい数です。</translation>
+    </message>
+    <message>
         <source>--oversize scale makes the balloon smaller until it fits, --oversize write writes the file anyway, --bed tells how large the bed is.</source>
         <translation>--oversize scale は収まるまで風船を小さくし、--oversize write はそのままファイルを書き出し、--bed は加工台の大きさを指定します。</translation>
     </message>
@@ -1141,6 +1257,10 @@
     <message>
         <source>95 % below {} ({})</source>
         <translation>95 % が {} 以下（{}）</translation>
+    </message>
+    <message>
+        <source>95 % of it below</source>
+        <translation>95 % がこれ以下</translation>
     </message>
     <message>
         <source>A balloon has no "{0}": it has {1}.</source>
@@ -1193,6 +1313,14 @@
     <message>
         <source>A file of this name is there already</source>
         <translation>この名前のファイルはすでにあります</translation>
+    </message>
+    <message>
+        <source>A goal has no '{0}': it has one of {1}, and {2} and {3}.</source>
+        <translation>目標に「{0}」はありません。{1} のどれか一つと、{2} と {3} があります。</translation>
+    </message>
+    <message>
+        <source>A goal has one of {0}: write {1}.</source>
+        <translation>目標には {0} のどれか一つを書きます。{1} のように書いてください。</translation>
     </message>
     <message>
         <source>A hole meets the outline or another hole at {0}; keep some film between them.</source>
@@ -1251,6 +1379,10 @@
         <translation>注入口の数値が空です。</translation>
     </message>
     <message>
+        <source>A package for this cluster is missing: {0}</source>
+        <translation>このクラスターに必要なパッケージがありません：{0}</translation>
+    </message>
+    <message>
         <source>A passage of {0} is left open in the weld at {1}, so that air reaches both sides.</source>
         <translation>空気が両側に届くように、溶着線の {1} に {0} の通路を残しました。</translation>
     </message>
@@ -1279,6 +1411,18 @@
         <translation>平面には法線が必要です。指定してください。</translation>
     </message>
     <message>
+        <source>A process beside this one does not start: {0}</source>
+        <translation>別のプロセスが起動しません：{0}</translation>
+    </message>
+    <message>
+        <source>A process beside this one is of version {0}, not of {1}: install one of them anew.</source>
+        <translation>別のプロセスの版が {1} ではなく {0} です。どちらかを入れ直してください。</translation>
+    </message>
+    <message>
+        <source>A script needs to know how many shards it has: give --shards a number.</source>
+        <translation>スクリプトには分割の数が必要です。--shards に数を指定してください。</translation>
+    </message>
+    <message>
         <source>A seam cannot be moved so far: it would meet another one.</source>
         <translation>継ぎ目をそこまで動かせません。別の継ぎ目に当たります。</translation>
     </message>
@@ -1303,8 +1447,28 @@
         <translation>寸法付きのスケッチ：表のセルを変えると全体が追従します</translation>
     </message>
     <message>
+        <source>A spread of {0} % leaves nothing of the {1}: give {2} at most {3} %.</source>
+        <translation>{0} % のばらつきでは何も残りません（{1}）。{2} は {3} % 以下にしてください。</translation>
+    </message>
+    <message>
         <source>A strict reader that wants plain polylines. Layers are told apart by colour: cut red, blue and orange, set the output of all others to no.</source>
         <translation>単純なポリラインだけを読む厳格なプログラムです。レイヤーは色で区別されます。赤、青、オレンジを切り、ほかの色はすべて出力を「なし」にしてください。</translation>
+    </message>
+    <message>
+        <source>A study has no '{0}': it has {1} and {2}.</source>
+        <translation>スタディに「{0}」はありません。{1} と {2} があります。</translation>
+    </message>
+    <message>
+        <source>A study of tolerances is about one balloon: give {0} a single value.</source>
+        <translation>公差のスタディは 1 つの風船についてのものです。{0} に値を 1 つだけ指定してください。</translation>
+    </message>
+    <message>
+        <source>A study of tolerances says what strays, such as {"cut": {"normal": "0.2mm"}}.</source>
+        <translation>公差のスタディには、ばらつくものを書きます。例：{"cut": {"normal": "0.2mm"}}。</translation>
+    </message>
+    <message>
+        <source>A study of tolerances takes 1 to {0} samples, not {1}: {2} tell a lot.</source>
+        <translation>公差のスタディのサンプルは {1} ではなく、1 から {0} までです。{2} で十分に分かります。</translation>
     </message>
     <message>
         <source>A volume of {0} cannot be made: give one such as 10l.</source>
@@ -1341,6 +1505,14 @@
     <message>
         <source>A weld that crumples can be simulated of one panel and its mirror image alone: choose the elastic weld, or one panel and its mirror image.</source>
         <translation>しわの寄る溶着線を計算できるのは、1 枚とその鏡像の場合だけです。弾性の溶着線にするか、1 枚とその鏡像にしてください。</translation>
+    </message>
+    <message>
+        <source>A worker does not have this program ({0}): install it everywhere.</source>
+        <translation>このプログラムのないワーカーがあります（{0}）。すべてに入れてください。</translation>
+    </message>
+    <message>
+        <source>A worker of Dask failed ({0}: {1}).</source>
+        <translation>Dask のワーカーが失敗しました（{0}: {1}）。</translation>
     </message>
     <message>
         <source>A {0} of {1} cannot be made; choose one between 1 mm and 100 m.</source>
@@ -1427,8 +1599,16 @@
         <translation>{0} の注入口は切り線の外まで届きません。{1} 以上にしてください。</translation>
     </message>
     <message>
+        <source>Angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
         <source>Animate inflation</source>
         <translation>膨張のアニメーション</translation>
+    </message>
+    <message>
+        <source>Another study is running in '{0}': wait for it, or choose another folder.</source>
+        <translation>「{0}」で別のスタディが実行中です。終わるのを待つか、別のフォルダーを選んでください。</translation>
     </message>
     <message>
         <source>Any</source>
@@ -1467,6 +1647,10 @@
         <translation>組み立て図を {} に書き出しました</translation>
     </message>
     <message>
+        <source>At least 95 of 100 balloons bear {0} with their margin, by {1} samples and with a confidence of 95 %.</source>
+        <translation>100 個の風船のうち少なくとも 95 個が、余裕を保って {0} に耐えます（サンプル {1}、信頼度 95 %）。</translation>
+    </message>
+    <message>
         <source>At worst the film lies {0} on the wrong side of the body, and a margin of {1} was asked for. Take more panels, or a larger margin.</source>
         <translation>フィルムは最大 {0} 立体の反対側にあり、指定された余裕は {1} です。パネルを増やすか、余裕を大きくしてください。</translation>
     </message>
@@ -1495,8 +1679,16 @@
         <translation>風船</translation>
     </message>
     <message>
+        <source>Balloon as a GLB file, for 3D programs</source>
+        <translation>風船の GLB ファイル（3D プログラム用）</translation>
+    </message>
+    <message>
         <source>Balloon film</source>
         <translation>風船のフィルム</translation>
+    </message>
+    <message>
+        <source>Balloon of row {0}</source>
+        <translation>{0} 行の風船</translation>
     </message>
     <message>
         <source>Balloon pattern</source>
@@ -1515,6 +1707,14 @@
         <translation>それぞれの個数</translation>
     </message>
     <message>
+        <source>Balloons: {0}, of these are there: {1}</source>
+        <translation>風船：{0}、うち作成済み：{1}</translation>
+    </message>
+    <message>
+        <source>Balloons: {0}, worked out now: {1}, of these failed: {2}</source>
+        <translation>風船：{0}、今回計算：{1}、うち失敗：{2}</translation>
+    </message>
+    <message>
         <source>Bed</source>
         <translation>加工台</translation>
     </message>
@@ -1525,6 +1725,10 @@
     <message>
         <source>Beside the document</source>
         <translation>文書と同じ場所</translation>
+    </message>
+    <message>
+        <source>Best of {0} balloons: {1}, with {2}.</source>
+        <translation>{0} 個の風船のうち最良：{1}、{2}。</translation>
     </message>
     <message>
         <source>Black</source>
@@ -1585,6 +1789,14 @@
     <message>
         <source>Cannot write to {0}: {1}. Choose another folder, or make room there.</source>
         <translation>{0} に書き込めません：{1}。別のフォルダーを選ぶか、空きを作ってください。</translation>
+    </message>
+    <message>
+        <source>Cannot write {0}: {1}. Make room there and start the study again; no balloon is lost.</source>
+        <translation>{0} を書き込めません：{1}。空きを作ってスタディをもう一度始めてください。計算済みの風船は残ります。</translation>
+    </message>
+    <message>
+        <source>Charts</source>
+        <translation>グラフ</translation>
     </message>
     <message>
         <source>Check the size: the 100 mm bar on the cut file or print must measure 100 mm.</source>
@@ -1803,6 +2015,10 @@
         <translation>ビューでドラッグ</translation>
     </message>
     <message>
+        <source>Drag to turn, turn the wheel to zoom; keys: arrows, plus, minus, Home.</source>
+        <translation>ドラッグで回転、ホイールで拡大縮小。キー：矢印、＋、－、Home。</translation>
+    </message>
+    <message>
         <source>Draw a closed line, or paint an area: it becomes a balloon.</source>
         <translation>閉じた線を描くか、面を塗ってください。風船になります。</translation>
     </message>
@@ -1881,6 +2097,18 @@
     <message>
         <source>Eraser</source>
         <translation>消しゴム</translation>
+    </message>
+    <message>
+        <source>Errors as large as these leave no panel: give smaller ones.</source>
+        <translation>誤差が大きすぎてパネルが残りません。小さくしてください。</translation>
+    </message>
+    <message>
+        <source>Errors of {0} stay alike over a length above 0, such as 50mm.</source>
+        <translation>{0} の誤差が似たままの長さは 0 より大きくします。例：50mm。</translation>
+    </message>
+    <message>
+        <source>Errors that stay alike over {0} alone are too fine for a seam of {1}: give at least {2} as 'along'.</source>
+        <translation>{0} しか似たままでない誤差は、長さ {1} の継ぎ目には細かすぎます。「along」を {2} 以上にしてください。</translation>
     </message>
     <message>
         <source>Every layer becomes a colour of the cut list; layers that share a colour would be merged. Set the import unit to millimetres. Cut red, blue and orange only and switch the output of all others off; the LightBurn project has them on tool layers already.</source>
@@ -2007,6 +2235,10 @@
         <translation>自分のフィルム</translation>
     </message>
     <message>
+        <source>Film that it takes</source>
+        <translation>必要なフィルム</translation>
+    </message>
+    <message>
         <source>Film width</source>
         <translation>フィルムの幅</translation>
     </message>
@@ -2063,6 +2295,10 @@
         <translation>強制</translation>
     </message>
     <message>
+        <source>Form</source>
+        <translation>形</translation>
+    </message>
+    <message>
         <source>Frames are even in movement, not in time. Only the film has mass, the gas has none.</source>
         <translation>コマは時間ではなく動きに対して等間隔です。質量はフィルムだけにあり、気体にはありません。</translation>
     </message>
@@ -2107,6 +2343,10 @@
         <translation>気体</translation>
     </message>
     <message>
+        <source>Gas that it takes, at the pressure outside</source>
+        <translation>必要な気体（外の圧力で）</translation>
+    </message>
+    <message>
         <source>Give --artwork for the front too.</source>
         <translation>表の --artwork も指定してください。</translation>
     </message>
@@ -2115,12 +2355,24 @@
         <translation>立体を分けるパネルの数を指定してください。</translation>
     </message>
     <message>
+        <source>Give a study either "{0}" or "{1}".</source>
+        <translation>スタディには「{0}」か「{1}」のどちらか一方を指定してください。</translation>
+    </message>
+    <message>
         <source>Give either --material, or all of --young, --poisson and --thickness.</source>
         <translation>--material か、--young、--poisson、--thickness の三つすべてを指定してください。</translation>
     </message>
     <message>
+        <source>Give either --scheduler or --dask.</source>
+        <translation>--scheduler か --dask のどちらか一方を指定してください。</translation>
+    </message>
+    <message>
         <source>Give either a volume or a lift as the goal.</source>
         <translation>目標には体積か浮力のどちらか一方を指定してください。</translation>
+    </message>
+    <message>
+        <source>Give {0} either "{1}" or "{2}", {3}.</source>
+        <translation>{0} には「{1}」か「{2}」のどちらか一方を指定してください（{3}）。</translation>
     </message>
     <message>
         <source>Given</source>
@@ -2227,6 +2479,10 @@
         <translation>閉じたメッシュの穴：{0}。</translation>
     </message>
     <message>
+        <source>Hours of welding, where they are known</source>
+        <translation>溶着の時間（分かる場合）</translation>
+    </message>
+    <message>
         <source>How a balloon follows its pattern can be worked out for an elastic weld alone: choose that one.</source>
         <translation>型紙の変化に風船がどう従うかを計算できるのは、弾性の溶着線だけです。それを選んでください。</translation>
     </message>
@@ -2269,6 +2525,10 @@
     <message>
         <source>In no seam yet: {}</source>
         <translation>まだ継ぎ目のない辺：{}</translation>
+    </message>
+    <message>
+        <source>In {0} of {1} samples the pressure is above the safe one: fill it less.</source>
+        <translation>{1} サンプルのうち {0} で、圧力が安全な圧力を超えています。充填を減らしてください。</translation>
     </message>
     <message>
         <source>Inflate as drawn</source>
@@ -2343,6 +2603,10 @@
         <translation>位置</translation>
     </message>
     <message>
+        <source>It meets what it was designed for</source>
+        <translation>設計の目的を満たしている</translation>
+    </message>
+    <message>
         <source>It needs more places: give them all.</source>
         <translation>位置が足りません。すべて指定してください。</translation>
     </message>
@@ -2351,8 +2615,32 @@
         <translation>{1} m/min、シーム 1 本あたり {2} 分で {0} 時間かかります。</translation>
     </message>
     <message>
+        <source>It took longer than {0} s: take a coarser mesh, or raise --timeout.</source>
+        <translation>{0} 秒を超えました。メッシュを粗くするか、--timeout を大きくしてください。</translation>
+    </message>
+    <message>
         <source>Its pattern is gone: delete it.</source>
         <translation>元の型紙がありません。これを削除してください。</translation>
+    </message>
+    <message>
+        <source>Its process ended with {0} ({1}).</source>
+        <translation>プロセスが {0} で終わりました（{1}）。</translation>
+    </message>
+    <message>
+        <source>Its process was ended by {0}.</source>
+        <translation>プロセスが {0} で終了しました。</translation>
+    </message>
+    <message>
+        <source>Its process was ended by {0}. It may have lacked memory: take a coarser mesh.</source>
+        <translation>プロセスが {0} で終了しました。メモリーが足りなかった可能性があります。メッシュを粗くしてください。</translation>
+    </message>
+    <message>
+        <source>Its process was ended by {0}.{1}</source>
+        <translation>プロセスが {0} で終了しました。{1}</translation>
+    </message>
+    <message>
+        <source>Its workers were killed again and again: take a coarser mesh, or start it again.</source>
+        <translation>ワーカーが何度も強制終了されました。メッシュを粗くするか、もう一度始めてください。</translation>
     </message>
     <message>
         <source>JSON</source>
@@ -2401,6 +2689,10 @@
     <message>
         <source>Largest strain</source>
         <translation>最大ひずみ</translation>
+    </message>
+    <message>
+        <source>Largest tension of the film</source>
+        <translation>フィルムの最大張力</translation>
     </message>
     <message>
         <source>Lay a picture under the paper for tracing; press again to take it away</source>
@@ -2461,6 +2753,14 @@
     <message>
         <source>Length of a gore</source>
         <translation>ゴア 1 枚の長さ</translation>
+    </message>
+    <message>
+        <source>Length of the seams</source>
+        <translation>継ぎ目の長さ</translation>
+    </message>
+    <message>
+        <source>Length of the usual roll that it takes</source>
+        <translation>必要な通常のロールの長さ</translation>
     </message>
     <message>
         <source>Letter</source>
@@ -2707,12 +3007,20 @@
         <translation>これがないと風船を新たにふくらませられません。型紙の変更と書き出しはできます。</translation>
     </message>
     <message>
+        <source>No balloon has {0} and {1}: these limits exclude each other.</source>
+        <translation>{0} と {1} を同時に満たす風船はありません。この二つの制限は両立しません。</translation>
+    </message>
+    <message>
         <source>No file could be made.</source>
         <translation>ファイルを 1 つも作れませんでした。</translation>
     </message>
     <message>
         <source>No file for {0}: {1}</source>
         <translation>{0} 用のファイルは作れません：{1}</translation>
+    </message>
+    <message>
+        <source>No file is like '{0}' in '{1}'. Check the pattern and the folder.</source>
+        <translation>「{1}」に「{0}」に合うファイルがありません。検索パターンとフォルダーを確かめてください。</translation>
     </message>
     <message>
         <source>No limit</source>
@@ -2737,6 +3045,10 @@
     <message>
         <source>No pattern here has pieces of "{0}": choose another film.</source>
         <translation>ここの型紙には「{0}」の部品がありません。別のフィルムを選んでください。</translation>
+    </message>
+    <message>
+        <source>No process can be started beside this one ({0}).</source>
+        <translation>別のプロセスを起動できません（{0}）。</translation>
     </message>
     <message>
         <source>No seam can be drawn near {0}.</source>
@@ -2767,12 +3079,24 @@
         <translation>メッシュのどの三角形にも面積がありません。立体を三角形のメッシュとして保存してください。</translation>
     </message>
     <message>
+        <source>No worker of Dask can be reached at '{0}' ({1}): start a scheduler and workers, and give its address.</source>
+        <translation>「{0}」で Dask のワーカーに接続できません（{1}）。スケジューラーとワーカーを起動し、そのアドレスを指定してください。</translation>
+    </message>
+    <message>
         <source>No, use NumPy</source>
         <translation>いいえ、NumPy を使う</translation>
     </message>
     <message>
         <source>None</source>
         <translation>なし</translation>
+    </message>
+    <message>
+        <source>None of {0} balloons could be made: the table says why.</source>
+        <translation>{0} 個の風船はどれも作れませんでした。理由は表にあります。</translation>
+    </message>
+    <message>
+        <source>None of {0} balloons is within the limits; the nearest: {1}, asked for {2}.</source>
+        <translation>{0} 個の風船はどれも制限の内にありません。最も近いもの：{1}、要求：{2}。</translation>
     </message>
     <message>
         <source>Not possible</source>
@@ -2795,12 +3119,24 @@
         <translation>注意：{0}</translation>
     </message>
     <message>
+        <source>Notes</source>
+        <translation>注記</translation>
+    </message>
+    <message>
         <source>Nothing can be computed without it; documents open and keep their shapes.</source>
         <translation>これがないと何も計算できません。文書は開け、形は残ります。</translation>
     </message>
     <message>
+        <source>Nothing strays that is called "{0}": choose of {1}.</source>
+        <translation>「{0}」というばらつきはありません。{1} から選んでください。</translation>
+    </message>
+    <message>
         <source>Nothing to improve.</source>
         <translation>直すところはありません。</translation>
+    </message>
+    <message>
+        <source>Nothing varies: give "{0}" a column.</source>
+        <translation>変わるものがありません。「{0}」に列を指定してください。</translation>
     </message>
     <message>
         <source>Now pick the partner of {}.</source>
@@ -2839,12 +3175,28 @@
         <translation>オフ</translation>
     </message>
     <message>
+        <source>Off at most</source>
+        <translation>最大のずれ</translation>
+    </message>
+    <message>
+        <source>Off it at most</source>
+        <translation>そこからの最大のずれ</translation>
+    </message>
+    <message>
+        <source>Off on average</source>
+        <translation>平均のずれ</translation>
+    </message>
+    <message>
         <source>Off the body</source>
         <translation>立体からのずれ</translation>
     </message>
     <message>
         <source>Off the drawing</source>
         <translation>図からのずれ</translation>
+    </message>
+    <message>
+        <source>Off the drawing, profile or body on average</source>
+        <translation>図、断面、立体からのずれ（平均）</translation>
     </message>
     <message>
         <source>Off the drawing: {0} on average, at most {1}</source>
@@ -3103,6 +3455,10 @@
         <translation>型紙、縮尺 1 : {0}</translation>
     </message>
     <message>
+        <source>Pattern of the balloon, all pieces</source>
+        <translation>風船の型紙、すべての部品</translation>
+    </message>
+    <message>
         <source>Pattern on several pages</source>
         <translation>複数ページの型紙</translation>
     </message>
@@ -3263,12 +3619,24 @@
         <translation>輪郭からの予測です。まだふくらませていません。</translation>
     </message>
     <message>
+        <source>Press a head to sort by it.</source>
+        <translation>列の見出しを押すと並べ替えます。</translation>
+    </message>
+    <message>
         <source>Pressure</source>
         <translation>圧力</translation>
     </message>
     <message>
+        <source>Pressure inside, above that outside</source>
+        <translation>内圧（外気圧との差）</translation>
+    </message>
+    <message>
         <source>Pressure rises with height</source>
         <translation>圧力は高いほど大きい</translation>
+    </message>
+    <message>
+        <source>Pressure with the margin left</source>
+        <translation>余裕の残る圧力</translation>
     </message>
     <message>
         <source>Pressure: {0}</source>
@@ -3403,6 +3771,18 @@
         <translation>丸める半径</translation>
     </message>
     <message>
+        <source>Row {0}: {1}</source>
+        <translation>{0} 行：{1}</translation>
+    </message>
+    <message>
+        <source>Rows: {0}, of these make no sense: {1}</source>
+        <translation>行：{0}、うち意味をなさない行：{1}</translation>
+    </message>
+    <message>
+        <source>Rows: {0}, without a balloon: {1}</source>
+        <translation>行：{0}、風船のない行：{1}</translation>
+    </message>
+    <message>
         <source>STL, OBJ, PLY, 3MF or STEP</source>
         <translation>STL、OBJ、PLY、3MF、STEP</translation>
     </message>
@@ -3433,6 +3813,18 @@
     <message>
         <source>Safe to</source>
         <translation>安全な圧力</translation>
+    </message>
+    <message>
+        <source>Samples need scipy: install it with pip install scipy.</source>
+        <translation>サンプルには scipy が必要です。pip install scipy で入れてください。</translation>
+    </message>
+    <message>
+        <source>Samples of a {0} need scipy: install it with pip install scipy, or take {1} ones.</source>
+        <translation>{0} のサンプルには scipy が必要です。pip install scipy で入れるか、{1} にしてください。</translation>
+    </message>
+    <message>
+        <source>Samples: {0}, of these failed: {1}, not at rest: {2}</source>
+        <translation>サンプル：{0}、うち失敗：{1}、静止せず：{2}</translation>
     </message>
     <message>
         <source>Save results</source>
@@ -3703,6 +4095,14 @@
         <translation>Silhouette Studio（カッティングマシン）</translation>
     </message>
     <message>
+        <source>Silhouette error, largest</source>
+        <translation>シルエットの誤差、最大</translation>
+    </message>
+    <message>
+        <source>Silhouette error, mean</source>
+        <translation>シルエットの誤差、平均</translation>
+    </message>
+    <message>
         <source>Silhouette off the drawing</source>
         <translation>シルエットと図のずれ</translation>
     </message>
@@ -3795,6 +4195,10 @@
         <translation>帯どうしを溶着</translation>
     </message>
     <message>
+        <source>Studies on Dask need {0}: install it with pip install {1}, or leave --dask and --scheduler out ({2}).</source>
+        <translation>Dask でのスタディには {0} が必要です。pip install {1} で入れるか、--dask と --scheduler を外してください（{2}）。</translation>
+    </message>
+    <message>
         <source>Symmetry</source>
         <translation>対称</translation>
     </message>
@@ -3869,6 +4273,10 @@
     <message>
         <source>Target</source>
         <translation>目標の立体</translation>
+    </message>
+    <message>
+        <source>Temperatures need scipy: install it with pip install scipy.</source>
+        <translation>温度には scipy が必要です。pip install scipy で入れてください。</translation>
     </message>
     <message>
         <source>Tension field</source>
@@ -4151,6 +4559,10 @@
         <translation>ボールに対してキャップが大きすぎます。直径を小さくしてください。</translation>
     </message>
     <message>
+        <source>The cluster cannot be made ({0}): check the file that --cluster names.</source>
+        <translation>クラスターを作れません（{0}）。--cluster のファイルを確かめてください。</translation>
+    </message>
+    <message>
         <source>The colour would run out: close the line around this place first.</source>
         <translation>色が外にあふれます。先にこの場所を囲む線を閉じてください。</translation>
     </message>
@@ -4239,6 +4651,14 @@
         <translation>継ぎ目の端だけを動かすことはできません。両端の間をつかんでください。</translation>
     </message>
     <message>
+        <source>The error of {0} is of the whole contour: leave "along" out.</source>
+        <translation>{0} の誤差は輪郭全体のものです。「along」を外してください。</translation>
+    </message>
+    <message>
+        <source>The error of {0} is per {1}: write "{2}" or "{3}".</source>
+        <translation>{0} の誤差は {1} ごとになっています。「{2}」か「{3}」と書いてください。</translation>
+    </message>
+    <message>
         <source>The faces of {0} cannot be told from each other in a mesh. Repair the solid, or give a mesh of it.</source>
         <translation>{0} の面をメッシュで区別できません。ソリッドを直すか、そのメッシュを渡してください。</translation>
     </message>
@@ -4279,8 +4699,16 @@
         <translation>フィルム「{0}」に質量がありません。面密度を入力してください。</translation>
     </message>
     <message>
+        <source>The film came to rest</source>
+        <translation>フィルムが静止した</translation>
+    </message>
+    <message>
         <source>The film comes as near as {0} to the body, and a margin of {1} was asked for. Take more panels, or a larger margin.</source>
         <translation>フィルムは立体に {0} まで近づきますが、指定された余裕は {1} です。パネルを増やすか、余裕を大きくしてください。</translation>
+    </message>
+    <message>
+        <source>The film did not come to rest: its numbers are estimates.</source>
+        <translation>フィルムが静止しませんでした。数値は推定です。</translation>
     </message>
     <message>
         <source>The film file {0} calls itself "{1}": give both the same name.</source>
@@ -4319,8 +4747,28 @@
         <translation>フィルムは継ぎ目とゴアの中央の中間でも断面から最大 {0} 離れたままで、この形になれません。断面の平ら、くぼみ、とがった所を丸くしてください。</translation>
     </message>
     <message>
+        <source>The first {0} of {1} rows, without a balloon: {2}</source>
+        <translation>{1} 行のうち最初の {0} 行、風船のない行：{2}</translation>
+    </message>
+    <message>
+        <source>The first {0} rows; the others are in table.csv.</source>
+        <translation>最初の {0} 行。残りは table.csv にあります。</translation>
+    </message>
+    <message>
+        <source>The folder '{0}' has vanished: bring it back or choose another one, and start the study again.</source>
+        <translation>フォルダー「{0}」がなくなりました。元に戻すか別のフォルダーを選び、スタディをもう一度始めてください。</translation>
+    </message>
+    <message>
         <source>The free edition opens DXF, not SVG. Choose "as is" for the size in the import preferences. Silhouette makes its own registration marks, and adds the knife's offset and overcut. Nothing is in the file that may not be cut.</source>
         <translation>無料版が開けるのは DXF で、SVG ではありません。読み込み設定の大きさは「そのまま」にしてください。トンボは Silhouette が自分で作り、刃のオフセットと切り越しも自分で加えます。切ってはいけない線はファイルに入っていません。</translation>
+    </message>
+    <message>
+        <source>The goal has {0} combinations to choose from, of which each is tried: list 1 to {1}.</source>
+        <translation>目標には {0} 通りの組み合わせがあり、すべて試します。1 から {1} 通りにしてください。</translation>
+    </message>
+    <message>
+        <source>The goal is no JSON object: write {0}.</source>
+        <translation>目標が JSON オブジェクトではありません。{0} のように書いてください。</translation>
     </message>
     <message>
         <source>The grain's angle {0} is no number: give degrees from the x axis.</source>
@@ -4703,6 +5151,10 @@
         <translation>圧力は上に向かって大きくならなければなりません。0 以上の勾配にしてください。</translation>
     </message>
     <message>
+        <source>The preview picture needs matplotlib: install it with pip install matplotlib.</source>
+        <translation>プレビュー画像には matplotlib が必要です。pip install matplotlib で入れてください。</translation>
+    </message>
+    <message>
         <source>The print on film</source>
         <translation>フィルムへの印刷</translation>
     </message>
@@ -4755,6 +5207,22 @@
         <translation>そのほかのファイル</translation>
     </message>
     <message>
+        <source>The row has more cells than there are columns: leave out what is too much.</source>
+        <translation>行のセルが列より多くあります。余分なセルを外してください。</translation>
+    </message>
+    <message>
+        <source>The row has no input: give it the name of a drawing.</source>
+        <translation>行に input がありません。図の名前を指定してください。</translation>
+    </message>
+    <message>
+        <source>The same in all rows</source>
+        <translation>すべての行に共通</translation>
+    </message>
+    <message>
+        <source>The scheduler of Dask went away: start it and the study again; nothing is lost.</source>
+        <translation>Dask のスケジューラーがなくなりました。スケジューラーとスタディをもう一度始めてください。何も失われません。</translation>
+    </message>
+    <message>
         <source>The seal width must be between 0.01 mm and 1 m, the allowance between 0 and 1 m.</source>
         <translation>溶着幅は 0.01 mm～1 m、余白は 0～1 m にしてください。</translation>
     </message>
@@ -4775,8 +5243,32 @@
         <translation>ゴア {0} 枚の継ぎ目は中央より最大 {1} 外に出ます。ゴアを増やすと丸くなります。</translation>
     </message>
     <message>
+        <source>The search for a goal asks for a few balloons at a time, of this machine: leave out --scheduler and --dask.</source>
+        <translation>目標の探索では、このマシンで一度に少しずつ風船を作ります。--scheduler と --dask を外してください。</translation>
+    </message>
+    <message>
+        <source>The search for a goal finds its balloons one after the other: leave out --shard, --script, --dry-run and --collect; what is there already is not made again.</source>
+        <translation>目標の探索では風船を順に見つけます。--shard、--script、--dry-run、--collect を外してください。すでにあるものは作り直しません。</translation>
+    </message>
+    <message>
+        <source>The search for a goal needs scipy: install it with pip install scipy.</source>
+        <translation>目標の探索には scipy が必要です。pip install scipy で入れてください。</translation>
+    </message>
+    <message>
+        <source>The search was stopped; what was made stays.</source>
+        <translation>探索を中止しました。作ったものは残ります。</translation>
+    </message>
+    <message>
+        <source>The seed is a whole number from 0 up, not {0}.</source>
+        <translation>シードは {0} ではなく、0 以上の整数です。</translation>
+    </message>
+    <message>
         <source>The selected sketches, wires and flat faces become the panels</source>
         <translation>選んだスケッチ、ワイヤー、平らな面がパネルになります</translation>
+    </message>
+    <message>
+        <source>The settings lack "{0}": write {"{1}": {2}} into their file.</source>
+        <translation>設定に「{0}」がありません。設定ファイルに {"{1}": {2}} と書いてください。</translation>
     </message>
     <message>
         <source>The shape in the picture is too frayed to trace. Use a clearer picture.</source>
@@ -4867,8 +5359,56 @@
         <translation>溶着の速さは 0 より大きく、継ぎ目ごとの時間は 0 以上でなければなりません。</translation>
     </message>
     <message>
+        <source>The spread of {0} cannot be {1}: write it with its unit, such as "{2}".</source>
+        <translation>{0} のばらつきは {1} にできません。「{2}」のように単位を付けて書いてください。</translation>
+    </message>
+    <message>
+        <source>The spread of {0} has "{1}", which is none of {2}.</source>
+        <translation>{0} のばらつきにある「{1}」は {2} のどれでもありません。</translation>
+    </message>
+    <message>
+        <source>The spread of {0} is {1}: give one above 0, or leave it out.</source>
+        <translation>{0} のばらつきが {1} です。0 より大きくするか、外してください。</translation>
+    </message>
+    <message>
+        <source>The spread of {0} is {1}: write one {2}.</source>
+        <translation>{0} のばらつきが {1} です。書き直してください（{2}）。</translation>
+    </message>
+    <message>
+        <source>The step of {0} has another unit than its ends: write the same one.</source>
+        <translation>{0} の刻みの単位が両端と違います。同じ単位で書いてください。</translation>
+    </message>
+    <message>
         <source>The strips of valves are not here: lay them out on a sheet of their own, with "Valve film".</source>
         <translation>弁の帯はここにはありません。「弁のフィルム」を選び、別のシートに並べてください。</translation>
+    </message>
+    <message>
+        <source>The study cannot go on ({0}).</source>
+        <translation>スタディを続けられません（{0}）。</translation>
+    </message>
+    <message>
+        <source>The study has no inputs: give it a column 'input' with the names of drawings.</source>
+        <translation>スタディに入力がありません。図の名前を並べた列「input」を加えてください。</translation>
+    </message>
+    <message>
+        <source>The study has no rows.</source>
+        <translation>スタディに行がありません。</translation>
+    </message>
+    <message>
+        <source>The study has the column {0} twice.</source>
+        <translation>スタディに列 {0} が 2 つあります。</translation>
+    </message>
+    <message>
+        <source>The study has {0} rows, more than {1}: take fewer values, or give --most {2} if that is meant.</source>
+        <translation>スタディに {0} 行あり、{1} を超えています。値を減らすか、これでよければ --most {2} を指定してください。</translation>
+    </message>
+    <message>
+        <source>The study is no JSON object: begin it with {"vary": ...}.</source>
+        <translation>スタディが JSON オブジェクトではありません。{"vary": ...} で始めてください。</translation>
+    </message>
+    <message>
+        <source>The study was stopped.</source>
+        <translation>スタディを中止しました。</translation>
     </message>
     <message>
         <source>The summary cannot be shown ({0}); {1}.</source>
@@ -4923,6 +5463,10 @@
         <translation>通路の幅は 0 以上にしてください。</translation>
     </message>
     <message>
+        <source>The worker on {0}</source>
+        <translation>{0} のワーカー</translation>
+    </message>
+    <message>
         <source>The {0} "{1}" of the material card {2} cannot be read: correct the card.</source>
         <translation>材料カード {2} の {0}「{1}」を読めません。カードを直してください。</translation>
     </message>
@@ -4971,6 +5515,10 @@
         <translation>{1} で始まる {0} の線が閉じていません。塗り、オフセット、切断には閉じた線が必要です。閉じてください。</translation>
     </message>
     <message>
+        <source>The {0} strays by {1} % in sample {2}, which leaves nothing of it: give a smaller spread.</source>
+        <translation>サンプル {2} で{0}が {1} % ずれ、何も残りません。ばらつきを小さくしてください。</translation>
+    </message>
+    <message>
         <source>The {0} {1} is not between {2} and {3} {4}: give one such as {5}.</source>
         <translation>値（{0}）{1} は {2}～{3} {4} の範囲にありません。{5} のように指定してください。</translation>
     </message>
@@ -5001,6 +5549,10 @@
     <message>
         <source>There is no "{0}" to repair in {1}: see its advice.</source>
         <translation>{1} には直すべき「{0}」がありません。助言を確かめてください。</translation>
+    </message>
+    <message>
+        <source>There is no column '{0}': {1}.</source>
+        <translation>列「{0}」はありません。{1}。</translation>
     </message>
     <message>
         <source>There is no file '{0}'. Check the name and the folder.</source>
@@ -5083,6 +5635,10 @@
         <translation>既製の立体「{0}」はありません。{1} から選んでください。</translation>
     </message>
     <message>
+        <source>There is no result '{0}': take {1}.</source>
+        <translation>結果「{0}」はありません。{1} を使ってください。</translation>
+    </message>
+    <message>
         <source>There is no room for a flange of {0} in its middle: choose another panel or a smaller one.</source>
         <translation>中央に {0} のフランジを置く場所がありません。別のパネルか小さなものを選んでください。</translation>
     </message>
@@ -5101,6 +5657,10 @@
     <message>
         <source>There is no seam {0} for the opening: the seams are 1 to {1}.</source>
         <translation>開口に使う継ぎ目 {0} はありません。継ぎ目は 1～{1} です。</translation>
+    </message>
+    <message>
+        <source>There is no share {0} of {1}: write one from 1/{2} on.</source>
+        <translation>{1} 分割の {0} 番目はありません。1/{2} から始まる分割を書いてください。</translation>
     </message>
     <message>
         <source>There is no sheet {0}: give a number from 1 to {1}.</source>
@@ -5149,6 +5709,10 @@
     <message>
         <source>This arm stays much thinner than the rest: drawn {width} wide, it becomes {measured} thick. For a rounder one make it {wanted} wide.</source>
         <translation>この腕はほかよりずっと細いままです。描いた幅は {width}、ふくらむ厚みは {measured} です。もっと丸くするには幅を {wanted} にしてください。</translation>
+    </message>
+    <message>
+        <source>This balloon has not been worked out yet: start the study again.</source>
+        <translation>この風船はまだ計算されていません。スタディをもう一度始めてください。</translation>
     </message>
     <message>
         <source>This balloon holds less than {0} at any pressure that suits its film: {1} at {2}. Change the size of the balloon or the volume.</source>
@@ -5217,6 +5781,18 @@
     <message>
         <source>Tip that stays flat</source>
         <translation>平らなままの先端</translation>
+    </message>
+    <message>
+        <source>Tolerances are worked out for two equal panels of one shape: </source>
+        <translation>公差は一つの形の同じパネル 2 枚について計算します。</translation>
+    </message>
+    <message>
+        <source>Tolerances are worked out for two equal panels, of which one is simulated: leave out --two-panels, and take a drawing.</source>
+        <translation>公差は同じパネル 2 枚のうち 1 枚をシミュレートして計算します。--two-panels を外し、図を使ってください。</translation>
+    </message>
+    <message>
+        <source>Too many samples could not be made to say which pressure 95 of 100 balloons bear.</source>
+        <translation>作れなかったサンプルが多すぎて、100 個中 95 個の風船が耐える圧力を言えません。</translation>
     </message>
     <message>
         <source>Tracing paper, 92 g/m²</source>
@@ -5303,6 +5879,10 @@
         <translation>元に戻す（Ctrl+Z）</translation>
     </message>
     <message>
+        <source>Uniform errors along a seam need scipy: pip install scipy.</source>
+        <translation>継ぎ目に沿った一様な誤差には scipy が必要です：pip install scipy。</translation>
+    </message>
+    <message>
         <source>Unknown</source>
         <translation>不明</translation>
     </message>
@@ -5357,6 +5937,10 @@
     <message>
         <source>Weight</source>
         <translation>重さ</translation>
+    </message>
+    <message>
+        <source>Weight of film, welds and valve</source>
+        <translation>フィルム、溶着、バルブの重さ</translation>
     </message>
     <message>
         <source>Weld</source>
@@ -5427,6 +6011,22 @@
         <translation>多くの業者が求める形式です。R12、閉じたポリライン、切らない線はなし。R12 には単位がないので、ファイル名に書きます。</translation>
     </message>
     <message>
+        <source>What shows the balloon</source>
+        <translation>風船を見せるもの</translation>
+    </message>
+    <message>
+        <source>What the chosen gas carries besides</source>
+        <translation>選んだ気体がさらに持ち上げる重さ</translation>
+    </message>
+    <message>
+        <source>What this film costs, without what is left over</source>
+        <translation>このフィルムの費用（余りを除く）</translation>
+    </message>
+    <message>
+        <source>What this gas costs</source>
+        <translation>この気体の費用</translation>
+    </message>
+    <message>
         <source>What this machine can work on, such as 600 x 400 mm, or 600 mm for a roll; empty where there is no limit. It is kept for this machine</source>
         <translation>この機械で加工できる大きさです。600 x 400 mm、ロールなら 600 mm のように書き、制限がなければ空にします。この機械の値として保存されます</translation>
     </message>
@@ -5437,6 +6037,10 @@
     <message>
         <source>What {0} sent is not the native solver of this release: its SHA-256 is another one. It was not kept. {1}</source>
         <translation>{0} から届いたものは、SHA-256 が違うので、この版のネイティブソルバーではありません。保存しませんでした。{1}</translation>
+    </message>
+    <message>
+        <source>When all shards are done, --collect writes the table.</source>
+        <translation>すべての分割が終わったら、--collect で表を書き出せます。</translation>
     </message>
     <message>
         <source>Where an edge is cut into tabs, turn it round the other one tab by tab while you seal.</source>
@@ -5587,6 +6191,14 @@
         <translation>流れに直角のヤング率</translation>
     </message>
     <message>
+        <source>Young's modulus of the film</source>
+        <translation>フィルムのヤング率</translation>
+    </message>
+    <message>
+        <source>["200mm", "300mm"], {"linspace": ["1kPa", "3kPa", 5]} with how many, {"range": [6, 12, 2]} with the step, {"between": ["1kPa", "3kPa"]} for samples, or {"glob": "drawings/*.png"}</source>
+        <translation>["200mm", "300mm"]、個数付きの {"linspace": ["1kPa", "3kPa", 5]}、刻み付きの {"range": [6, 12, 2]}、サンプル用の {"between": ["1kPa", "3kPa"]}、または {"glob": "drawings/*.png"}</translation>
+    </message>
+    <message>
         <source>a LightBurn project has layers up to {0}: change the pen.</source>
         <translation>LightBurn プロジェクトのレイヤーは {0} までです。ペンを変えてください。</translation>
     </message>
@@ -5603,20 +6215,52 @@
         <translation>数ではない座標がある</translation>
     </message>
     <message>
+        <source>a density</source>
+        <translation>密度</translation>
+    </message>
+    <message>
         <source>a face is no list of points.</source>
         <translation>点の並びでない面があります。</translation>
+    </message>
+    <message>
+        <source>a force</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>a length</source>
+        <translation>長さ</translation>
+    </message>
+    <message>
+        <source>a mass</source>
+        <translation>質量</translation>
+    </message>
+    <message>
+        <source>a number without a unit</source>
+        <translation>単位のない数</translation>
     </message>
     <message>
         <source>a point is no three numbers.</source>
         <translation>3 つの数でない点があります。</translation>
     </message>
     <message>
+        <source>a pressure</source>
+        <translation>圧力</translation>
+    </message>
+    <message>
         <source>a sleeve has an end</source>
         <translation>筒には端がある</translation>
     </message>
     <message>
+        <source>a temperature</source>
+        <translation>温度</translation>
+    </message>
+    <message>
         <source>a transform is not a number</source>
         <translation>変換が数ではない</translation>
+    </message>
+    <message>
+        <source>a volume</source>
+        <translation>体積</translation>
     </message>
     <message>
         <source>a {0} file has a unit of its own: give "unit": "mm".</source>
@@ -5639,8 +6283,20 @@
         <translation>ファイルはその前にすべて {0} に書き出しました</translation>
     </message>
     <message>
+        <source>an angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>an area</source>
+        <translation>面積</translation>
+    </message>
+    <message>
         <source>another run has been writing there for a minute</source>
         <translation>1 分前から別の実行が書き込んでいます</translation>
+    </message>
+    <message>
+        <source>another unit</source>
+        <translation>別の単位</translation>
     </message>
     <message>
         <source>any accuracy</source>
@@ -5675,8 +6331,20 @@
         <translation>裏</translation>
     </message>
     <message>
+        <source>balloon {0} of {1}</source>
+        <translation>風船 {0}/{1}</translation>
+    </message>
+    <message>
+        <source>balloon {0} of {1} at most</source>
+        <translation>風船 {0}/最大 {1}</translation>
+    </message>
+    <message>
         <source>balloon {0} of {1}, {2}</source>
         <translation>風船 {0}/{1}、{2}</translation>
+    </message>
+    <message>
+        <source>balloons</source>
+        <translation>風船</translation>
     </message>
     <message>
         <source>bed_mm is {0}: give [width, height], or null where there is no limit.</source>
@@ -5931,6 +6599,10 @@
         <translation>下</translation>
     </message>
     <message>
+        <source>making a balloon of a study</source>
+        <translation>スタディの風船を作るとき</translation>
+    </message>
+    <message>
         <source>making the document</source>
         <translation>文書の作成</translation>
     </message>
@@ -5999,6 +6671,10 @@
         <translation>圧力</translation>
     </message>
     <message>
+        <source>pressure at filling</source>
+        <translation>充填時の圧力</translation>
+    </message>
+    <message>
         <source>printing</source>
         <translation>印刷用データを作成中</translation>
     </message>
@@ -6055,8 +6731,16 @@
         <translation>強度</translation>
     </message>
     <message>
+        <source>strength of film and weld</source>
+        <translation>フィルムと溶着の強度</translation>
+    </message>
+    <message>
         <source>strength of the film not known</source>
         <translation>フィルムの強度が不明</translation>
+    </message>
+    <message>
+        <source>such as {"normal": "{0}"}</source>
+        <translation>例：{"normal": "{0}"}</translation>
     </message>
     <message>
         <source>taped seam</source>
@@ -6071,12 +6755,24 @@
         <translation>温度</translation>
     </message>
     <message>
+        <source>temperature after filling</source>
+        <translation>充填後の温度</translation>
+    </message>
+    <message>
         <source>the answer is not HTTP</source>
         <translation>応答が HTTP ではありません</translation>
     </message>
     <message>
+        <source>the balloons that were made stay, and the same command goes on</source>
+        <translation>作った風船は残り、同じコマンドで続きから始まります</translation>
+    </message>
+    <message>
         <source>the colour "{0}" is not written like #ff0000.</source>
         <translation>色「{0}」が #ff0000 の形になっていません。</translation>
+    </message>
+    <message>
+        <source>the columns are the options of the command line</source>
+        <translation>列はコマンドラインのオプションです</translation>
     </message>
     <message>
         <source>the connection ended too soon</source>
@@ -6107,6 +6803,10 @@
         <translation>材料の名前「{0}」はファイル名に使われます。a から z の文字にしてください。</translation>
     </message>
     <message>
+        <source>the nearest are {0}</source>
+        <translation>近いものは {0} です</translation>
+    </message>
+    <message>
         <source>the sealing side {0} is no polymer: give one such as "PE", or "none".</source>
         <translation>シール面 {0} はポリマーではありません。"PE" のように指定するか、"none" にしてください。</translation>
     </message>
@@ -6129,6 +6829,10 @@
     <message>
         <source>thickness</source>
         <translation>厚さ</translation>
+    </message>
+    <message>
+        <source>thickness of the film</source>
+        <translation>フィルムの厚さ</translation>
     </message>
     <message>
         <source>thin PE film, 30 to 50 µm</source>
@@ -6195,6 +6899,10 @@
         <translation>width_mm は 0 より大きく、taper は 0.2～1 にしてください。</translation>
     </message>
     <message>
+        <source>without a word</source>
+        <translation>メッセージなし</translation>
+    </message>
+    <message>
         <source>wrinkled: {}</source>
         <translation>しわ：{}</translation>
     </message>
@@ -6219,8 +6927,20 @@
         <translation>{0} と {1} の線が {2} 付近で交わります。穴を内側へ移すか、余白を狭くしてください。</translation>
     </message>
     <message>
+        <source>{0} at least {1}</source>
+        <translation>{0} が {1} 以上</translation>
+    </message>
+    <message>
+        <source>{0} at most {1}</source>
+        <translation>{0} が {1} 以下</translation>
+    </message>
+    <message>
         <source>{0} balloons cannot be laid out: give 1 or more.</source>
         <translation>風船 {0} 個は並べられません。1 個以上にしてください。</translation>
+    </message>
+    <message>
+        <source>{0} begins in {1} and ends in {2}: write both in one unit.</source>
+        <translation>{0} は {1} で始まり {2} で終わります。同じ単位で書いてください。</translation>
     </message>
     <message>
         <source>{0} belongs to no balloon: choose an outline, a balloon or a pattern.</source>
@@ -6235,12 +6955,24 @@
         <translation>{0} を読み込めません（{1}）。</translation>
     </message>
     <message>
+        <source>{0} cannot be read ({1}): write {2}.</source>
+        <translation>{0} を読み取れません（{1}）。{2} のように書いてください。</translation>
+    </message>
+    <message>
+        <source>{0} cannot work: {1}</source>
+        <translation>{0}が動作できません：{1}</translation>
+    </message>
+    <message>
         <source>{0} changed since. Choose Inflate now in its context menu, or switch Live on.</source>
         <translation>変わった値：{0}。コンテキストメニューで「今すぐふくらませる」を選ぶか、ライブをオンにしてください。</translation>
     </message>
     <message>
         <source>{0} does not have the native solver (answer {1}). Try again later. {2}</source>
         <translation>{0} にネイティブソルバーがありません（応答 {1}）。後でもう一度試してください。{2}</translation>
+    </message>
+    <message>
+        <source>{0} does not see the folder '{1}': choose one that all machines share.</source>
+        <translation>{0}からフォルダー「{1}」が見えません。すべてのマシンで共有しているフォルダーを選んでください。</translation>
     </message>
     <message>
         <source>{0} dots per inch cannot be printed well: give {1} to {2}.</source>
@@ -6291,12 +7023,20 @@
         <translation>{0} にはまだ結果がありません。再計算してください。</translation>
     </message>
     <message>
+        <source>{0} has no room between its ends: write the smaller one first.</source>
+        <translation>{0} の両端の間に範囲がありません。小さい方を先に書いてください。</translation>
+    </message>
+    <message>
         <source>{0} has no shape. Choose a solid or a mesh.</source>
         <translation>{0} に形状がありません。ソリッドかメッシュを選んでください。</translation>
     </message>
     <message>
         <source>{0} has no shape: select a sketch, a wire or a face.</source>
         <translation>{0} に形状がありません。スケッチ、ワイヤー、面を選んでください。</translation>
+    </message>
+    <message>
+        <source>{0} has no values: write {1}.</source>
+        <translation>{0} に値がありません。{1} のように書いてください。</translation>
     </message>
     <message>
         <source>{0} has not been built.</source>
@@ -6309,6 +7049,10 @@
     <message>
         <source>{0} has several faces: select those that are panels.</source>
         <translation>{0} には複数の面があります。パネルになる面を選んでください。</translation>
+    </message>
+    <message>
+        <source>{0} has version {1}, not {2}: install the same one everywhere.</source>
+        <translation>{0}の版は {2} ではなく {1} です。すべてに同じ版を入れてください。</translation>
     </message>
     <message>
         <source>{0} has {1} bodies: choose one of them.</source>
@@ -6343,6 +7087,10 @@
         <translation>{0} は穴の辺です。開口には外側の境界の辺を選んでください。</translation>
     </message>
     <message>
+        <source>{0} is at an end of its range: a wider one may hold a better balloon.</source>
+        <translation>{0} は範囲の端にあります。範囲を広げると、もっと良い風船が見つかるかもしれません。</translation>
+    </message>
+    <message>
         <source>{0} is curved both ways: it is cut into {1} strips.</source>
         <translation>{0} は 2 方向に曲がっているため、{1} 本の帯に切り分けます。</translation>
     </message>
@@ -6357,6 +7105,10 @@
     <message>
         <source>{0} is damaged: install the workbench anew, or go on without the native solver.</source>
         <translation>{0} は壊れています。ワークベンチを入れ直すか、ネイティブソルバーなしで続けてください。</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: remove it and start the study again.</source>
+        <translation>{0} は壊れています。削除して、スタディをもう一度始めてください。</translation>
     </message>
     <message>
         <source>{0} is empty: draw a closed line in it.</source>
@@ -6405,6 +7157,10 @@
     <message>
         <source>{0} is no body: give a solid, a mesh or the path of a file.</source>
         <translation>{0} は立体ではありません。ソリッド、メッシュ、またはファイルのパスを渡してください。</translation>
+    </message>
+    <message>
+        <source>{0} is no number: list its values.</source>
+        <translation>{0} は数ではありません。値を並べてください。</translation>
     </message>
     <message>
         <source>{0} is not a coordinate</source>
@@ -6495,6 +7251,10 @@
         <translation>{0} は絶対にレーザーで切ってはいけません。刃で切る機械を選んでください。</translation>
     </message>
     <message>
+        <source>{0} never gets from '{1}' to '{2}' by '{3}'.</source>
+        <translation>{0} は「{1}」から「{3}」刻みでは「{2}」に届きません。</translation>
+    </message>
+    <message>
         <source>{0} notches are closer than {1}: take fewer.</source>
         <translation>{0} 個の合印では間隔が {1} より狭くなります。減らしてください。</translation>
     </message>
@@ -6507,6 +7267,10 @@
         <translation>大きさの {0}</translation>
     </message>
     <message>
+        <source>{0} of {1} is {2}, but its expression '{3}' gives {4}: change the expression.</source>
+        <translation>{1} の {0} は{2}ですが、式「{3}」の値は{4}です。式を変えてください。</translation>
+    </message>
+    <message>
         <source>{0} open line was left out.</source>
         <translation>閉じていない線を {0} 本除きました。</translation>
     </message>
@@ -6515,12 +7279,24 @@
         <translation>閉じていない線を {0} 本除きました。</translation>
     </message>
     <message>
+        <source>{0} over {1}</source>
+        <translation>{0}（横軸：{1}）</translation>
+    </message>
+    <message>
         <source>{0} panels meet at one point, which no weld closes: seal the cap from the sheet over it, or tape it.</source>
         <translation>{0} 枚のパネルが 1 点に集まり、溶着では閉じません。シートのキャップを上から溶着するか、テープで留めてください。</translation>
     </message>
     <message>
         <source>{0} reads {1}, which has no pages: choose paper.</source>
         <translation>{0} が読むのは {1} で、ページがありません。用紙を選んでください。</translation>
+    </message>
+    <message>
+        <source>{0} runs between two ends: say how to take samples in "{1}".</source>
+        <translation>{0} は両端の間を動きます。サンプルの取り方を「{1}」に書いてください。</translation>
+    </message>
+    <message>
+        <source>{0} samples are too few to say which pressure 95 of 100 balloons bear: take {1} or more.</source>
+        <translation>100 個中 95 個の風船が耐える圧力を言うには、サンプル {0} では足りません。{1} 以上にしてください。</translation>
     </message>
     <message>
         <source>{0} seams cannot be sealed lying flat, least of all seam {1} of panels {2}: one edge turns by {3} in all to follow the other. Seal them bit by bit, or round the corners.</source>
@@ -6533,6 +7309,10 @@
     <message>
         <source>{0} small specks were dropped.</source>
         <translation>小さな点を {0} 個除きました。</translation>
+    </message>
+    <message>
+        <source>{0} takes from 1 to {1} equal parts, not '{2}'.</source>
+        <translation>{0} の等分数は「{2}」ではなく、1 から {1} までです。</translation>
     </message>
     <message>
         <source>{0} thin line is</source>
@@ -6575,6 +7355,10 @@
         <translation>{0}（弁 {1} を含む）</translation>
     </message>
     <message>
+        <source>{0}, inflated: {1}</source>
+        <translation>{0}、ふくらませた状態：{1}</translation>
+    </message>
+    <message>
         <source>{0}: lay its pieces out on sheets of that size, make the balloon smaller, or write the file anyway.</source>
         <translation>{0}。部品をその大きさのシートに並べるか、風船を小さくするか、そのまま書き出してください。</translation>
     </message>
@@ -6597,6 +7381,14 @@
     <message>
         <source>{0}; wider than the usual roll</source>
         <translation>{0}、通常のロールより広い</translation>
+    </message>
+    <message>
+        <source>{0}take a drawing, without a side band or gores.</source>
+        <translation>{0}側面の帯やゴアのない図を使ってください。</translation>
+    </message>
+    <message>
+        <source>{0}this drawing has {1} shapes, study one at a time.</source>
+        <translation>{0}この図には {1} 個の形があります。一つずつ調べてください。</translation>
     </message>
     <message>
         <source>{0}what is shown is the last good state. Lower the pressure or change the mesh size.</source>
