@@ -1036,7 +1036,7 @@
     </message>
     <message>
         <source>'{0}' cannot be kept: write {1} or {2}.</source>
-        <translation>„{0}“ lässt sich nicht aufheben: {1} oder {2} schreiben.</translation>
+        <translation>„{0}“ kann nicht behalten werden: {1} oder {2} schreiben.</translation>
     </message>
     <message>
         <source>'{0}' cannot be read ({1}). Check the name and its access.</source>
@@ -5467,6 +5467,10 @@
         <translation>Der Worker auf {0}</translation>
     </message>
     <message>
+        <source>The worker on {0} cannot work: {1}</source>
+        <translation>Der Worker auf {0} kann nicht arbeiten: {1}</translation>
+    </message>
+    <message>
         <source>The {0} "{1}" of the material card {2} cannot be read: correct the card.</source>
         <translation>{0} „{1}“ der Materialkarte {2} ist nicht lesbar: die Karte berichtigen.</translation>
     </message>
@@ -7268,7 +7272,7 @@
     </message>
     <message>
         <source>{0} of {1} is {2}, but its expression '{3}' gives {4}: change the expression.</source>
-        <translation>{0} von {1} ist {2}, ihr Ausdruck „{3}“ ergibt aber {4}: den Ausdruck ändern.</translation>
+        <translation>{0} von {1} ist {2}, das Ergebnis des Ausdrucks „{3}“ ist aber {4}: den Ausdruck ändern.</translation>
     </message>
     <message>
         <source>{0} open line was left out.</source>

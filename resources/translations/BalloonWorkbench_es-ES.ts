@@ -5467,6 +5467,10 @@
         <translation>El worker en {0}</translation>
     </message>
     <message>
+        <source>The worker on {0} cannot work: {1}</source>
+        <translation>El worker en {0} no puede trabajar: {1}</translation>
+    </message>
+    <message>
         <source>The {0} "{1}" of the material card {2} cannot be read: correct the card.</source>
         <translation>El {0} «{1}» de la ficha de material {2} no se puede leer: corrija la ficha.</translation>
     </message>

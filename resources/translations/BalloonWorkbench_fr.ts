@@ -5372,7 +5372,7 @@
     </message>
     <message>
         <source>The spread of {0} is {1}: write one {2}.</source>
-        <translation>La dispersion de {0} est {1} : écrivez-en une {2}.</translation>
+        <translation>La dispersion de {0} est {1} : écrivez-en une, {2}.</translation>
     </message>
     <message>
         <source>The step of {0} has another unit than its ends: write the same one.</source>
@@ -5465,6 +5465,10 @@
     <message>
         <source>The worker on {0}</source>
         <translation>Le worker sur {0}</translation>
+    </message>
+    <message>
+        <source>The worker on {0} cannot work: {1}</source>
+        <translation>Le worker sur {0} ne peut pas travailler : {1}</translation>
     </message>
     <message>
         <source>The {0} "{1}" of the material card {2} cannot be read: correct the card.</source>
@@ -7268,7 +7272,7 @@
     </message>
     <message>
         <source>{0} of {1} is {2}, but its expression '{3}' gives {4}: change the expression.</source>
-        <translation>{0} de {1} est {2}, mais son expression « {3} » donne {4} : changez l'expression.</translation>
+        <translation>{0} de {1} est {2}, mais le résultat de son expression « {3} » est {4} : changez l'expression.</translation>
     </message>
     <message>
         <source>{0} open line was left out.</source>

@@ -3008,7 +3008,7 @@
     </message>
     <message>
         <source>No balloon has {0} and {1}: these limits exclude each other.</source>
-        <translation>{0} と {1} を同時に満たす風船はありません。この二つの制限は両立しません。</translation>
+        <translation>「{0}」と「{1}」を同時に満たす風船はありません。この二つの制限は両立しません。</translation>
     </message>
     <message>
         <source>No file could be made.</source>
@@ -5467,6 +5467,10 @@
         <translation>{0} のワーカー</translation>
     </message>
     <message>
+        <source>The worker on {0} cannot work: {1}</source>
+        <translation>{0} のワーカーが動作できません：{1}</translation>
+    </message>
+    <message>
         <source>The {0} "{1}" of the material card {2} cannot be read: correct the card.</source>
         <translation>材料カード {2} の {0}「{1}」を読めません。カードを直してください。</translation>
     </message>
@@ -6928,11 +6932,11 @@
     </message>
     <message>
         <source>{0} at least {1}</source>
-        <translation>{0} が {1} 以上</translation>
+        <translation>{0}が {1} 以上</translation>
     </message>
     <message>
         <source>{0} at most {1}</source>
-        <translation>{0} が {1} 以下</translation>
+        <translation>{0}が {1} 以下</translation>
     </message>
     <message>
         <source>{0} balloons cannot be laid out: give 1 or more.</source>
