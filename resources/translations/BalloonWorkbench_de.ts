@@ -6379,6 +6379,10 @@
         <translation>Schnitt innen</translation>
     </message>
     <message>
+        <source>cutting error</source>
+        <translation>Abweichung beim Schneiden</translation>
+    </message>
+    <message>
         <source>designing a balloon</source>
         <translation>Entwurf eines Ballons</translation>
     </message>
@@ -6893,6 +6897,10 @@
     <message>
         <source>weld inside</source>
         <translation>Naht innen</translation>
+    </message>
+    <message>
+        <source>welding error</source>
+        <translation>Abweichung beim Schweißen</translation>
     </message>
     <message>
         <source>width</source>

@@ -6379,6 +6379,10 @@
         <translation>corte interior</translation>
     </message>
     <message>
+        <source>cutting error</source>
+        <translation>error de corte</translation>
+    </message>
+    <message>
         <source>designing a balloon</source>
         <translation>diseñar un globo</translation>
     </message>
@@ -6893,6 +6897,10 @@
     <message>
         <source>weld inside</source>
         <translation>soldadura interior</translation>
+    </message>
+    <message>
+        <source>welding error</source>
+        <translation>error de soldadura</translation>
     </message>
     <message>
         <source>width</source>

@@ -6379,6 +6379,10 @@
         <translation>coupe intérieure</translation>
     </message>
     <message>
+        <source>cutting error</source>
+        <translation>erreur de coupe</translation>
+    </message>
+    <message>
         <source>designing a balloon</source>
         <translation>conception d'un ballon</translation>
     </message>
@@ -6893,6 +6897,10 @@
     <message>
         <source>weld inside</source>
         <translation>soudure intérieure</translation>
+    </message>
+    <message>
+        <source>welding error</source>
+        <translation>erreur de soudage</translation>
     </message>
     <message>
         <source>width</source>

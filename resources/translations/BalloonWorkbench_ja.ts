@@ -6379,6 +6379,10 @@
         <translation>内側の切り線</translation>
     </message>
     <message>
+        <source>cutting error</source>
+        <translation>切断の誤差</translation>
+    </message>
+    <message>
         <source>designing a balloon</source>
         <translation>風船の設計</translation>
     </message>
@@ -6893,6 +6897,10 @@
     <message>
         <source>weld inside</source>
         <translation>内側の溶着線</translation>
+    </message>
+    <message>
+        <source>welding error</source>
+        <translation>溶着の誤差</translation>
     </message>
     <message>
         <source>width</source>
