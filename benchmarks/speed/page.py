@@ -102,28 +102,24 @@ def written(measured: dict[str, Any]) -> str:
 
 def with_strokes(text: str, measured: dict[str, Any] | None) -> str:
     """The page with its part about strokes, or with it for the first time."""
-    parts = text.split("\n## ")
-    kept = [part for part in parts if not part.startswith(_STROKES_TITLE)]
-    head, aims, *rest = kept
-    return "\n## ".join([head, aims, _strokes(measured).removeprefix("## "), *rest])
+    return _with(text, _STROKES_TITLE, _strokes(measured))
 
 
 def with_commands(text: str, measured: list[dict[str, Any]], loading: float) -> str:
     """The page with its part about whole commands, or with it for the first time."""
-    parts = text.split("\n## ")
-    head, aims, *rest = (part for part in parts if not part.startswith(_COMMANDS_TITLE))
-    return "\n## ".join([head, aims, _commands(measured, loading).removeprefix("## "), *rest])
+    return _with(text, _COMMANDS_TITLE, _commands(measured, loading))
+
+
+def _with(text: str, title: str, part: str) -> str:
+    head, aims, *rest = (other for other in text.split("\n## ") if not other.startswith(title))
+    return "\n## ".join([head, aims, part.removeprefix("## "), *rest])
 
 
 def _commands(measured: list[dict[str, Any]], loading: float) -> str:
+    aims = ["" if one["aim"] is None else f"{one['aim']:g} s" for one in measured]
     rows = [
-        (
-            one["command"],
-            f"{one['cpu']:.2f} s",
-            f"**{one['yardsticks']:.1f}**",
-            "" if one["aim"] is None else f"{one['aim']:g} s",
-        )
-        for one in measured
+        (one["command"], f"{one['cpu']:.2f} s", f"**{one['yardsticks']:.1f}**", aim)
+        for one, aim in zip(measured, aims, strict=True)
     ]
     head = ("command", "processor time", "yardsticks", "aim, of an idle processor")
     return _COMMANDS.format(title=_COMMANDS_TITLE, table=_table(head, rows), loading=loading)

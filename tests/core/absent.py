@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from BalloonWorkbench.core.mesh import delaunay
+from BalloonWorkbench.core.pictures import canvas
 from BalloonWorkbench.core.solver import backend
 from BalloonWorkbench.core.solver.native import load
 from BalloonWorkbench.core.tracing import raster
@@ -19,7 +20,7 @@ from BalloonWorkbench.core.tracing import raster
 @contextmanager
 def without(*names: str, folder: Path) -> Iterator[None]:
     """Packages that cannot be imported; "native" is the library, looked for in an empty folder."""
-    cached = (raster.opencv, load._load, backend.available)
+    cached = (raster.opencv, load._load, backend.available, canvas._pillow)
     with pytest.MonkeyPatch.context() as patch:
         for name in names:
             for module in [name, *(known for known in sys.modules if known.startswith(f"{name}."))]:

@@ -23,11 +23,11 @@ def check(obj, properties) -> None:
         if item.name not in following or item.type not in _UNITS:
             continue
         text = following[item.name]
-        given = _named(obj.evalExpression(text))
-        if given and given != _UNITS[item.type]:
+        actual = _named(obj.evalExpression(text))
+        if actual and actual != _UNITS[item.type]:
             raise InputError(
                 f"{item.name} of {obj.Label} is {_UNITS[item.type]}, but its expression '{text}' gives"
-                f" {given}: change the expression."
+                f" {actual}: change the expression."
             )
 
 

@@ -73,7 +73,7 @@ def _points(count: int, sources: int, seed: int) -> Floats:
     """Points (count, sources) in the unit cube, evenly spread: Sobol's, shifted at random and wrapped round.
 
     More of them begin with the same ones (Cranley and Patterson, Randomization of number theoretic methods
-    for multiple integration, SIAM J. Numer. Anal. 13, 1976, 904-914). None is 0 or 1.
+    for multiple integration, SIAM Journal on Numerical Analysis 13, 1976, 904-914). None is 0 or 1.
     """
     if not sources:
         return np.zeros((count, 0))

@@ -37,7 +37,7 @@ SAFE, INSIDE = "safe_pressure_Pa", "pressure_Pa"
 
 
 @dataclass(frozen=True)
-class Bar:
+class Influence:
     """A bar of a tornado chart: what a source by itself, between its 5 and 95 % points, makes of a measure.
 
     low, high  the measure at these points; of errors along a seam their quantiles over fields of errors
@@ -92,7 +92,7 @@ def summary(rows: Sequence[tuple[Sample, Mapping[str, Any] | None]]) -> dict[str
     }
 
 
-def tornado(rows: Sequence[tuple[Sample, Mapping[str, Any] | None]], key: str) -> list[Bar]:
+def tornado(rows: Sequence[tuple[Sample, Mapping[str, Any] | None]], key: str) -> list[Influence]:
     """The bars of one measure, the longest first."""
     bars = []
     for source in ErrorSource:
@@ -107,7 +107,7 @@ def tornado(rows: Sequence[tuple[Sample, Mapping[str, Any] | None]], key: str) -
             low, high = map(float, values)
         else:
             continue
-        bars.append(Bar(source.key, source.title, low, high))
+        bars.append(Influence(source.key, source.title, low, high))
     return sorted(bars, key=lambda bar: -bar.span)
 
 

@@ -242,7 +242,7 @@ def test_a_search_asks_for_the_same_balloons_each_time() -> None:
         ({**CHEAPEST, "limits": {"lift": "20 g"}}, "no limit"),
         ({**CHEAPEST, "limits": {"lift": ">= 20 m"}}, "no(t a mass| value for lift_g)"),
         ({**CHEAPEST, "limits": {"lift": ">= nan"}}, "no(t a mass| value for lift_g)"),
-        ({**CHEAPEST, "limits": {"weigth": "<= 20"}}, "no result 'weigth'"),
+        ({**CHEAPEST, "limits": {"wieght_kg": "<= 20"}}, "no result 'wieght_kg'"),
         ({**CHEAPEST, "limits": {"lift": [">= 20 g", "<= 10 g"]}}, "exclude each other"),
         ({**CHEAPEST, "limits": ["lift"]}, "cannot be read"),
     ],

@@ -52,9 +52,11 @@ class DaskRunner:
         with contextlib.ExitStack() as held:
             address: Any = self.scheduler
             if not address:
-                address = held.enter_context(self._cluster(distributed))
+                address = self._cluster(distributed)
+                held.callback(_close, address)
             try:
-                client = held.enter_context(distributed.Client(address, timeout=_CONNECTING))
+                client = distributed.Client(address, timeout=_CONNECTING)
+                held.callback(_close, client)
                 client.wait_for_workers(1, self.patience)
             except (OSError, ValueError) as error:  # TimeoutError is an OSError
                 raise InputError(
@@ -64,7 +66,7 @@ class DaskRunner:
             yield from _Work(distributed, client, place, self.timeout).run(jobs)
 
     def _cluster(self, distributed: Any) -> Any:
-        """A cluster that is made, a context. Raises InputError, MissingPackageError."""
+        """A cluster that is made; to be closed. Raises InputError, MissingPackageError."""
         settings, workers = dict(self.settings), self.workers
         try:
             if self.kind == LOCAL:
@@ -88,6 +90,12 @@ class DaskRunner:
         except ImportError as error:  # SSH needs asyncssh
             raise MissingPackageError(f"A package for this cluster is missing: {error}") from None
         return cluster
+
+
+def _close(dask: Any) -> None:
+    """Close a client or a cluster: one that is slow to end costs no study, whose balloons are on disk."""
+    with contextlib.suppress(OSError):  # TimeoutError is one
+        dask.close()
 
 
 def _package(name: str, install: str) -> Any:
