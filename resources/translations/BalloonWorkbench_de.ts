@@ -6099,6 +6099,10 @@
         <translation>Mit einem Seitenband wird der Ballon dieser Zeichnung {0} bis {1} dick, nicht {2}. Eine Dicke dazwischen wählen oder seine Teile breiter oder schmaler zeichnen.</translation>
     </message>
     <message>
+        <source>With so few samples, {0}, nobody can say which pressure 95 of 100 balloons bear: take {1} or more.</source>
+        <translation>{0} Stichproben sind zu wenige, um zu sagen, welchen Druck 95 von 100 Ballons aushalten: {1} oder mehr nehmen.</translation>
+    </message>
+    <message>
         <source>With the fonts of this computer {0} cannot be drawn, letter by letter from left to right: leave that out of the label, or install a font that has it and start again.</source>
         <translation>Mit den Schriften dieses Rechners lässt sich {0} nicht zeichnen, Buchstabe für Buchstabe von links nach rechts: es in der Beschriftung weglassen oder eine Schrift installieren, die es hat, und neu starten.</translation>
     </message>
@@ -7305,10 +7309,6 @@
     <message>
         <source>{0} runs between two ends: say how to take samples in "{1}".</source>
         <translation>{0} läuft zwischen zwei Enden: in „{1}“ angeben, wie Stichproben zu nehmen sind.</translation>
-    </message>
-    <message>
-        <source>{0} samples are too few to say which pressure 95 of 100 balloons bear: take {1} or more.</source>
-        <translation>{0} Stichproben sind zu wenige, um zu sagen, welchen Druck 95 von 100 Ballons aushalten: {1} oder mehr nehmen.</translation>
     </message>
     <message>
         <source>{0} seams cannot be sealed lying flat, least of all seam {1} of panels {2}: one edge turns by {3} in all to follow the other. Seal them bit by bit, or round the corners.</source>

@@ -6099,6 +6099,10 @@
         <translation>Con una banda lateral el globo de este dibujo tendrá de {0} a {1} de espesor, no {2}. Elija un espesor entre ellos, o dibuje sus partes más anchas o más estrechas.</translation>
     </message>
     <message>
+        <source>With so few samples, {0}, nobody can say which pressure 95 of 100 balloons bear: take {1} or more.</source>
+        <translation>{0} muestras son muy pocas para decir qué presión soportan 95 de 100 globos: tome {1} o más.</translation>
+    </message>
+    <message>
         <source>With the fonts of this computer {0} cannot be drawn, letter by letter from left to right: leave that out of the label, or install a font that has it and start again.</source>
         <translation>Con los tipos de letra de este ordenador no se puede dibujar {0}, letra a letra de izquierda a derecha: quítelo de la etiqueta o instale un tipo de letra que lo tenga y vuelva a empezar.</translation>
     </message>
@@ -7305,10 +7309,6 @@
     <message>
         <source>{0} runs between two ends: say how to take samples in "{1}".</source>
         <translation>{0} va entre dos extremos: diga en «{1}» cómo tomar muestras.</translation>
-    </message>
-    <message>
-        <source>{0} samples are too few to say which pressure 95 of 100 balloons bear: take {1} or more.</source>
-        <translation>{0} muestras son muy pocas para decir qué presión soportan 95 de 100 globos: tome {1} o más.</translation>
     </message>
     <message>
         <source>{0} seams cannot be sealed lying flat, least of all seam {1} of panels {2}: one edge turns by {3} in all to follow the other. Seal them bit by bit, or round the corners.</source>

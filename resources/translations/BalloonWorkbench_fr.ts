@@ -6099,6 +6099,10 @@
         <translation>Avec une bande latérale, le ballon de ce dessin aura de {0} à {1} d'épaisseur, pas {2}. Choisissez une épaisseur entre les deux, ou dessinez ses parties plus larges ou plus étroites.</translation>
     </message>
     <message>
+        <source>With so few samples, {0}, nobody can say which pressure 95 of 100 balloons bear: take {1} or more.</source>
+        <translation>{0} échantillons sont trop peu pour dire quelle pression 95 ballons sur 100 supportent : prenez-en {1} ou plus.</translation>
+    </message>
+    <message>
         <source>With the fonts of this computer {0} cannot be drawn, letter by letter from left to right: leave that out of the label, or install a font that has it and start again.</source>
         <translation>Avec les polices de cet ordinateur, {0} ne peut pas être tracé, lettre par lettre de gauche à droite : omettez-le dans l'inscription, ou installez une police qui l'a et redémarrez.</translation>
     </message>
@@ -7305,10 +7309,6 @@
     <message>
         <source>{0} runs between two ends: say how to take samples in "{1}".</source>
         <translation>{0} varie entre deux bornes : dites dans « {1} » comment tirer des échantillons.</translation>
-    </message>
-    <message>
-        <source>{0} samples are too few to say which pressure 95 of 100 balloons bear: take {1} or more.</source>
-        <translation>{0} échantillons sont trop peu pour dire quelle pression 95 ballons sur 100 supportent : prenez-en {1} ou plus.</translation>
     </message>
     <message>
         <source>{0} seams cannot be sealed lying flat, least of all seam {1} of panels {2}: one edge turns by {3} in all to follow the other. Seal them bit by bit, or round the corners.</source>

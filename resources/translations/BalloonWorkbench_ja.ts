@@ -6099,6 +6099,10 @@
         <translation>側面の帯を付けるとこの図の風船の厚さは {0}～{1} になり、{2} にはなりません。その間の厚さを選ぶか、図の部分の幅を変えてください。</translation>
     </message>
     <message>
+        <source>With so few samples, {0}, nobody can say which pressure 95 of 100 balloons bear: take {1} or more.</source>
+        <translation>100 個中 95 個の風船が耐える圧力を言うには、サンプル {0} では足りません。{1} 以上にしてください。</translation>
+    </message>
+    <message>
         <source>With the fonts of this computer {0} cannot be drawn, letter by letter from left to right: leave that out of the label, or install a font that has it and start again.</source>
         <translation>このコンピューターのフォントでは {0} を左から右へ 1 字ずつ描けません。文字から除くか、それのあるフォントを入れて起動し直してください。</translation>
     </message>
@@ -7305,10 +7309,6 @@
     <message>
         <source>{0} runs between two ends: say how to take samples in "{1}".</source>
         <translation>{0} は両端の間を動きます。サンプルの取り方を「{1}」に書いてください。</translation>
-    </message>
-    <message>
-        <source>{0} samples are too few to say which pressure 95 of 100 balloons bear: take {1} or more.</source>
-        <translation>100 個中 95 個の風船が耐える圧力を言うには、サンプル {0} では足りません。{1} 以上にしてください。</translation>
     </message>
     <message>
         <source>{0} seams cannot be sealed lying flat, least of all seam {1} of panels {2}: one edge turns by {3} in all to follow the other. Seal them bit by bit, or round the corners.</source>

@@ -33,6 +33,9 @@ FOR_PROGRAMS = (
     *("core/machines/writers/[dhls]*.py", "core/results/vtu.py", "core/units.py"),
     *(
         "core/rounded.py",
+        "core/studies/axes.py",
+        "core/studies/table.py",
+        "cli/studies/command.py",
         "app/engine/solve.py",
         "app/properties/values.py",
         "app/film_sheet.py",
@@ -289,7 +292,8 @@ def test_docs_have_the_words_of_makers(name: str) -> None:
 MANY = "pixels millimetres letters notches copies balloons pages degrees shapes dots elements groups points"
 MANY += " pieces lines vertices does has was its this times belongs calls crosses eases encloses ends follows"
 MANY += " bears begins bodies gores holes joins lacks leans leaves lies lifts makes needs panels reads runs"
-MANY += " seams turns wants divides goes misses comes pass strips"
+MANY += " seams turns wants divides goes misses comes pass strips combinations rows samples gets strays takes"
+MANY += " ones parts"
 
 
 def test_one_is_said_in_the_singular() -> None:

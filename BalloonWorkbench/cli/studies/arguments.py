@@ -7,6 +7,7 @@ import argparse
 
 from BalloonWorkbench.core.studies.job import CLUSTERS, KEPT, MOST_ROWS, TIMEOUT, WHOLE
 from BalloonWorkbench.core.studies.runners.job_scripts import SCRIPTS
+from BalloonWorkbench.core.units import number_text
 
 STUDY = "study"
 
@@ -33,7 +34,7 @@ def add_study(command: argparse.ArgumentParser) -> None:
         metavar="SECONDS",
         type=float,
         default=TIMEOUT,
-        help=f"longest time for one balloon (default {TIMEOUT:g})",
+        help=f"longest time for one balloon (default {number_text(TIMEOUT)})",
     )
     command.add_argument(
         "--most",

@@ -161,7 +161,7 @@ def _sure_text(surely: float | None, count: int) -> str:
         )
     if count < LEAST_SAMPLES:
         return (
-            f"{count} samples are too few to say which pressure 95 of 100 balloons bear: take"
+            f"With so few samples, {count}, nobody can say which pressure 95 of 100 balloons bear: take"
             f" {LEAST_SAMPLES} or more."
         )
     return "Too many samples could not be made to say which pressure 95 of 100 balloons bear."

@@ -23,6 +23,7 @@ from typing import IO, Any
 from BalloonWorkbench.core.errors import Cancelled, ProgramFault
 from BalloonWorkbench.core.studies.job import TIMEOUT, Finished, Job
 from BalloonWorkbench.core.studies.key import program
+from BalloonWorkbench.core.units import number_text
 
 MODULE = "BalloonWorkbench.cli.studies.worker"
 #: Balloons that are worked out beside each other share the processors; each has one thread.
@@ -136,7 +137,8 @@ class WorkerProcess:
         assert self._process is not None
         self._kill()
         if self._late:
-            return f"It took longer than {self._timeout:g} s: take a coarser mesh, or raise --timeout."
+            limit = number_text(self._timeout)
+            return f"It took longer than {limit} s: take a coarser mesh, or raise --timeout."
         status = self._process.returncode
         if status < 0:
             name = signal.Signals(-status).name
