@@ -17,7 +17,7 @@ from typing import NoReturn
 
 import pytest
 
-from BalloonWorkbench.cli import command_line, document, freecad_process
+from BalloonWorkbench.cli import command_line, document, freecad_process, settings
 from BalloonWorkbench.core.errors import MissingPackageError
 
 ROOT = Path(__file__).parents[2]
@@ -131,7 +131,7 @@ def refuse_work(monkeypatch: pytest.MonkeyPatch) -> None:
     def work(*_args: object, **_names: object) -> NoReturn:
         pytest.fail("it was noticed after the work only")
 
-    monkeypatch.setattr(command_line, "make_balloon", work)
+    monkeypatch.setattr(settings, "make_balloon", work)
 
 
 @pytest.mark.parametrize(
@@ -279,12 +279,12 @@ def test_the_folder_is_gone_when_the_files_are_written(
 ) -> None:
     out = box.parent / "out"
     out.mkdir()
-    make = command_line.make_balloon
+    make = settings.make_balloon
 
     def and_remove(*args, **names):
         out.rmdir()
         return make(*args, **names)
 
-    monkeypatch.setattr(command_line, "make_balloon", and_remove)
+    monkeypatch.setattr(settings, "make_balloon", and_remove)
     assert command_line.main(command(box, str(out))) == 0
     assert written(out) == FILES

@@ -15,7 +15,6 @@ from typing import Any
 import numpy as np
 import pytest
 from inflated import designed
-from matplotlib.axes import Axes
 from test_assembly import POPPLER, subject, told_by
 
 from BalloonWorkbench.cli import command_line, summary
@@ -34,6 +33,7 @@ from BalloonWorkbench.core.pattern.intake.kinds import intake_kind, intake_kinds
 from BalloonWorkbench.core.pattern.make import pieces_remarks
 from BalloonWorkbench.core.pattern.marks import with_tie_tab
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
+from BalloonWorkbench.core.pictures.canvas import PreviewCanvas
 from BalloonWorkbench.core.pictures.preview import preview_png
 from BalloonWorkbench.core.types import in_english
 
@@ -229,13 +229,13 @@ def test_command_line_and_preview_say_nothing_against_the_film(
     assert not contradictions(line, {**data, "laser": None}), line
     assert (one.film.seam in line) == (numbers["strength"]["weakest"] == WELD)
     said: list[str] = []
-    write = Axes.text
+    write = PreviewCanvas.text
 
-    def heard(axes: Axes, x: float, y: float, text: str, **look: Any) -> Any:
-        said.append(text)
-        return write(axes, x, y, text, **look)
+    def heard(canvas: PreviewCanvas, *given: Any, **look: Any) -> Any:
+        said.extend(each for each in given if isinstance(each, str))
+        return write(canvas, *given, **look)
 
-    monkeypatch.setattr(Axes, "text", heard)
+    monkeypatch.setattr(PreviewCanvas, "text", heard)
     monkeypatch.setattr("BalloonWorkbench.core.pictures.preview._balloon", lambda *given: None)
     from drawn_shapes import NAMED
 
@@ -297,7 +297,7 @@ def test_command_line_refuses_a_laser_before_the_work(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(
-        "BalloonWorkbench.cli.command_line.make_balloon",
+        "BalloonWorkbench.cli.settings.make_balloon",
         lambda *given, **more: pytest.fail("the work has begun"),
     )
     out = tmp_path / "out"
