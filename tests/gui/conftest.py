@@ -22,6 +22,7 @@ from remembered import remembered
 from BalloonWorkbench import app, gui
 from BalloonWorkbench.app.document import create
 from BalloonWorkbench.core import faults
+from BalloonWorkbench.core.nesting import nest
 from BalloonWorkbench.gui.panels.balloon import body_rows
 from BalloonWorkbench.gui.window import file_dialogs
 
@@ -58,6 +59,14 @@ def stand_in(monkeypatch):
 def without_figures(monkeypatch):
     """The panel of a body tells nothing that a thread has to count: bodies/test_figures.py looks at that."""
     monkeypatch.setattr(body_rows, "body_figures", lambda *_given: None)
+
+
+@pytest.fixture(autouse=True, scope="session")
+def short_layouts():
+    """How closely panels can lie is looked at in tests of the engine."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(nest, "_LIMIT", 8)  # s
+        yield
 
 
 @pytest.fixture(autouse=True)

@@ -9,7 +9,6 @@ import view_port
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document import kinds
 from BalloonWorkbench.app.properties import preferences
-from BalloonWorkbench.core.nesting import nest
 from BalloonWorkbench.core.target_design import fit_target
 
 _ANSWER = 240  # s, of one processor that has nothing else to do
@@ -63,7 +62,6 @@ def quick(monkeypatch, without_figures):
     """A coarse balloon that is hardly corrected: what is counted here are clicks."""
     monkeypatch.setattr(fit_target, "VERTICES", 400)
     monkeypatch.setattr(fit_target, "STEPS", 1)
-    monkeypatch.setattr(nest, "_LIMIT", 5)  # s; how closely panels lie is looked at elsewhere
 
 
 @pytest.fixture
