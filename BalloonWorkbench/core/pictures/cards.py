@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from BalloonWorkbench.core.geometry.vectors import perpendicular
 from BalloonWorkbench.core.pictures.canvas import PreviewCanvas
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import from_mm, length_text
@@ -82,7 +83,7 @@ def dimension(card: PreviewCard, start: tuple[float, float], end: tuple[float, f
     way = (ends[1] - ends[0]) / np.linalg.norm(ends[1] - ends[0])
     card.lines([ends], SOFT, 0.8)
     for tip, back in ((ends[0], way), (ends[1], -way)):
-        across = np.array([-back[1], back[0]])
+        across = perpendicular(back)
         foot = tip + _HEAD[0] * back
         card.area([np.stack([tip, foot + _HEAD[1] * across, foot - _HEAD[1] * across])], SOFT)
     x, y = ends.mean(axis=0)
