@@ -7,6 +7,6 @@ set -euo pipefail
 
 # a number of the screen that is our own: roots see each other's screens, but not which numbers are taken
 exec env -u WAYLAND_DISPLAY QT_QPA_PLATFORM=xcb LIBGL_ALWAYS_SOFTWARE=1 XDG_RUNTIME_DIR= \
-    timeout --kill-after=30 3600 \
+    timeout --kill-after=30 4700 \
     xvfb-run --auto-servernum --server-num=$((100 + $$ % 30000)) --server-args="-screen 0 ${SCREEN:-1920x1080}x24 -noreset" \
     "$(dirname "$(realpath "$0")")/in-freecad.sh" "$1" freecad "$2"

@@ -51,7 +51,7 @@ tests_of() {
 }
 
 app() {
-    BALLOON_TESTS=$(tests_of app) timeout --kill-after=30 1800 \
+    BALLOON_TESTS=$(tests_of app) timeout --kill-after=30 3600 \
         tools/in-freecad.sh "$scratch/app" freecadcmd tests/freecad_pytest.py
 }
 

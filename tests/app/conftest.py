@@ -12,12 +12,21 @@ sys.path.append(str(Path(__file__).resolve().parents[1] / "core"))  # for counti
 from remembered import remembered
 
 from BalloonWorkbench.app.border import status
+from BalloonWorkbench.core.nesting import nest
 
 
 @pytest.fixture(autouse=True)
 def known(request):
     """What tests before have worked out, but for those that look at the work itself."""
     with remembered(request.node):
+        yield
+
+
+@pytest.fixture(autouse=True, scope="session")
+def short_layouts():
+    """How closely panels can lie is looked at in tests of the engine."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(nest, "_LIMIT", 8)  # s
         yield
 
 
