@@ -39,6 +39,8 @@ PACKAGES = {
     ),
     "matplotlib": Package("matplotlib", "PSF-2.0", True),
     "opencv-python-headless": Package("cv2", "Apache-2.0", True),
+    "pillow": Package("PIL", "MIT-CMU", True),
+    "pyarrow": Package("pyarrow", "Apache-2.0", True),
     "spyrrow": Package("spyrrow", "MIT", True),
 }
 

@@ -41,6 +41,7 @@ PARTS = (
             "docs/tutorial-bodies.md",
             "docs/freecad.md",
             "docs/command-line.md",
+            "docs/studies.md",
             "docs/api.md",
         ),
         *("docs/help", "docs/images/fish.png", "docs/images/tutorial-*.png"),

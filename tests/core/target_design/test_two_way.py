@@ -76,7 +76,7 @@ def test_what_is_brought_down_is_the_mean_of_both_ways() -> None:
     counted = made.weights**2 @ np.abs(made.distances)
     film = curved_film(made.positions, made.inflation.directors, made.surface)
     ways = both_ways(simulation.surface, *film)
-    assert counted == pytest.approx(np.mean([way.mean for way in ways]), rel=0.1)
+    assert counted == pytest.approx(np.mean([way.mean for way in ways[:2]]), rel=0.1)
     assert np.abs(made.distances).max() == pytest.approx(ways[1].max, rel=0.05)
 
 
