@@ -8,8 +8,8 @@ import hands
 
 from BalloonWorkbench.gui.paint.preview import preload
 
-#: s in which the window does not answer that a test takes for a freeze. The aim is 0.1 s; what is reached on a quiet
-#: machine is in docs/benchmarks.md, since a test beside others cannot tell it.
+#: s in which the window does not answer that a test takes for a freeze. The aim is 0.1 s; what is reached is
+#: measured on a quiet machine (docs/benchmarks.md), since a test beside others cannot tell it.
 LIMIT = 0.3
 _SUM = 4000  # numbers that are added up to see how fast the processor is just now
 _SLOWEST = 3.0
