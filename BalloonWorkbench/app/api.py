@@ -226,6 +226,28 @@ def nest(patterns, sheet=None, **options):
 
 
 @_bordered
+def study(made: Parts, columns=None, table=None, jobs: int = 0):
+    """Work out variants of a balloon, in processes beside this one; returns the object with its Table.
+
+    columns  values by what is varied, such as {"Width": ["200 mm", "300 mm"]}: each with each of all others
+    table    a spreadsheet of headings and rows instead
+    A variant that cannot be made is a row with its sentence. Raises InputError, ExportError.
+    """
+    from BalloonWorkbench.app import study as studies
+
+    if _done:
+        return _done[-1]
+    obj = studies.make(made.balloon.Document, made, table=table, columns=columns)
+    obj.Jobs = jobs
+    rows = studies.read(obj)
+    task = studies.core_study(obj, rows)
+    studies.work_out(task, obj)
+    studies.keep_results(obj, rows, studies.known(rows, studies.jobs_of(rows, task), studies.folder(obj)))
+    obj.Document.recompute()
+    return obj
+
+
+@_bordered
 def assembly_sheet(made: Parts, path, paper: str = "A4") -> Path:
     """Write the page on how to make a balloon, a PDF on A4 or Letter; returns it. Raises ExportError."""
     from BalloonWorkbench.app.engine import maker

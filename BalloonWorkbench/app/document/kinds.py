@@ -67,6 +67,11 @@ def is_film_sheet(obj) -> bool:
     return _kind(obj) == "FilmSheetProxy"
 
 
+def is_study(obj) -> bool:
+    """Whether a document object is a study."""
+    return _kind(obj) == "StudyProxy"
+
+
 def leader(source):
     """The outline that has the drawing: the object itself, or the one whose drawing it shares.
 

@@ -24,6 +24,7 @@ _KINDS = {
     "PanelName": ("panel", "PanelProxy"),
     "Bleed": ("artwork", "ArtworkProxy"),
     "LaidOutFor": ("film_sheet", "FilmSheetProxy"),
+    "Failed": ("study", "StudyProxy"),
 }
 _GROUP = ("group", "GroupProxy")
 

@@ -17,6 +17,7 @@ from BalloonWorkbench.core.job import report_bytes
 from BalloonWorkbench.core.shared.sharing import small_png
 from BalloonWorkbench.core.studies.folder import REPORT as NAME
 from BalloonWorkbench.core.studies.job import FILES, PICTURE, PICTURES
+from BalloonWorkbench.core.studies.results import without_times
 from BalloonWorkbench.core.targets.form import has_many_panels
 
 
@@ -33,15 +34,8 @@ def make(request: Mapping[str, Any]) -> dict[str, bytes]:
         else:
             contents = _report(options, pictured=request["keep"] == PICTURES)
     if NAME in contents:
-        contents[NAME] = report_bytes(_without_times(json.loads(contents[NAME])))
+        contents[NAME] = report_bytes(without_times(json.loads(contents[NAME])))
     return contents
-
-
-def _without_times(data: Any) -> Any:
-    """A report without how long it took: the same balloon has the same bytes."""
-    if isinstance(data, dict):
-        return {name: _without_times(value) for name, value in data.items() if name != "seconds"}
-    return [_without_times(each) for each in data] if isinstance(data, list) else data
 
 
 def _report(options: argparse.Namespace, *, pictured: bool) -> dict[str, bytes]:

@@ -83,3 +83,10 @@ def results_of(report: Mapping[str, Any]) -> dict[str, Any]:
     """The results of a report by name, None for what it does not tell; its warnings as one text."""
     numbers = {result.name: result.of(report) for result in RESULTS}
     return numbers | {WARNINGS: " ".join(map(str, report.get("warnings", ())))}
+
+
+def without_times(data: Any) -> Any:
+    """A report without how long it took: the same balloon has the same bytes."""
+    if isinstance(data, dict):
+        return {name: without_times(value) for name, value in data.items() if name != "seconds"}
+    return [without_times(each) for each in data] if isinstance(data, list) else data

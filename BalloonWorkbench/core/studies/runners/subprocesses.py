@@ -6,13 +6,15 @@ from __future__ import annotations
 import os
 import queue
 import threading
-from collections.abc import Generator, Iterable
+from collections.abc import Callable, Generator, Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
-from BalloonWorkbench.core.errors import BalloonError, ProgramFault
+from BalloonWorkbench.core.errors import BalloonError, Cancelled, ProgramFault
 from BalloonWorkbench.core.studies.job import TIMEOUT, Finished, Job
 from BalloonWorkbench.core.studies.runners.worker import WorkerProcess
+
+_LOOK = 0.2  # s between two looks whether it was stopped
 
 
 def processors() -> int:
@@ -25,16 +27,24 @@ def processors() -> int:
 
 @dataclass(frozen=True)
 class Subprocesses:
-    """A runner: so many processes of this machine, 0 for one a processor; timeout [s] of a job."""
+    """A runner: so many processes of this machine, 0 for one a processor; timeout [s] of a job.
+
+    packages    folders from which the processes import, too
+    is_stopped  asked now and then: whether the user wants no more
+    """
 
     processes: int = 0
     timeout: float = TIMEOUT
+    packages: tuple[str, ...] = ()
+    is_stopped: Callable[[], bool] = lambda: False
 
     def run(self, jobs: Iterable[Job], place: Path) -> Generator[Finished, None, None]:
-        """See `Runner`."""
+        """See `Runner`; Cancelled when it was stopped."""
         source = _Source(jobs)
         finished: queue.SimpleQueue[Finished | BalloonError | None] = queue.SimpleQueue()
-        workers = [WorkerProcess(place, self.timeout) for _ in range(self.processes or processors())]
+        workers = [
+            WorkerProcess(place, self.timeout, self.packages) for _ in range(self.processes or processors())
+        ]
         threads = [
             threading.Thread(target=_drain, args=(source, worker, finished), daemon=True)
             for worker in workers
@@ -44,7 +54,12 @@ class Subprocesses:
         try:
             left = len(threads)
             while left:
-                answer = finished.get()
+                try:
+                    answer = finished.get(timeout=_LOOK)
+                except queue.Empty:
+                    if self.is_stopped():
+                        raise Cancelled("The study was stopped.") from None
+                    continue
                 if isinstance(answer, BalloonError):
                     raise answer
                 if answer is None:

@@ -46,8 +46,8 @@ def python() -> str:
 class WorkerProcess:
     """One such process; started when it gets its first job, and again after it died."""
 
-    def __init__(self, place: Path, timeout: float = TIMEOUT) -> None:
-        self._place, self._timeout = place, timeout
+    def __init__(self, place: Path, timeout: float = TIMEOUT, packages: tuple[str, ...] = ()) -> None:
+        self._place, self._timeout, self._packages = place, timeout, packages
         self._process: subprocess.Popen[bytes] | None = None
         self._errors: IO[bytes] | None = None
         self._late = self._stopped = False
@@ -79,7 +79,7 @@ class WorkerProcess:
         if self._process is not None and self._process.poll() is None:
             return self._process
         self._close()
-        paths = [str(_PACKAGE), os.environ.get("PYTHONPATH", "")]
+        paths = [str(_PACKAGE), os.environ.get("PYTHONPATH", ""), *self._packages]
         environment = {**os.environ, **dict.fromkeys(_ONE_THREAD, "1")}
         environment["PYTHONPATH"] = os.pathsep.join(filter(None, paths))
         self._errors = tempfile.TemporaryFile()  # noqa: SIM115 - let go with the process
