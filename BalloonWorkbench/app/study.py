@@ -12,7 +12,7 @@ from pathlib import Path
 import FreeCAD as App
 
 from BalloonWorkbench.app.border import status
-from BalloonWorkbench.app.document.kinds import is_balloon, leader
+from BalloonWorkbench.app.document.kinds import is_balloon, is_study, leader
 from BalloonWorkbench.app.document.parts import parts_of
 from BalloonWorkbench.app.document.proxy import DocumentProxy
 from BalloonWorkbench.app.properties.property_table import Property, result, results
@@ -45,6 +45,7 @@ PROPERTIES = (
         "How many balloons are worked out at a time; 0: one for each processor",
         0,
     ),
+    result("Link", "Shown", "The balloon of a row that was shown last", hidden=True),
     result("Integer", "Rows", "Number of balloons in the table"),
     result("Integer", "Finished", "How many of them are worked out"),
     result("Integer", "Failed", "How many of these cannot be made"),
@@ -90,7 +91,7 @@ def read(obj) -> study_table.Table:
 def core_study(obj, table: study_table.Table) -> Study:
     """The rows that make sense, as the core's study of a copy of the document. Raises BalloonError."""
     varied = [each.key for each in table.inputs.values()]
-    copy = copy_of(obj.Document, folder(obj) / "documents", (obj, obj.Table), varied)
+    copy = copy_of(obj.Document, folder(obj) / "documents", _of_studies(obj.Document), varied)
     rows = [
         {INPUT: str(copy), VALUES: json.dumps(values, sort_keys=True)}
         for values in table.rows.values()
@@ -164,6 +165,12 @@ def take_row(obj, table: study_table.Table, number: int) -> None:
     if isinstance(values, str):
         raise InputError(values)
     write_all(obj.Document, values)
+
+
+def _of_studies(doc) -> list:
+    """Objects that decide nothing about a balloon: studies, their tables, the balloons of rows."""
+    own = [(obj, obj.Table, obj.Shown) for obj in filter(is_study, doc.Objects)]
+    return [obj for each in own for obj in each if obj is not None]
 
 
 def _table(obj):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How prints and sheets of film look in the tree and in the 3D view."""
+"""How prints, sheets of film and studies look in the tree and in the 3D view."""
 
 from __future__ import annotations
 
@@ -89,6 +89,20 @@ class FilmSheetView(LinesView):
     def doubleClicked(self, vobj):
         from BalloonWorkbench.gui.panels import is_free
         from BalloonWorkbench.gui.panels.making.nest import show_panel
+
+        if is_free():
+            show_panel(vobj.Object)
+        return True
+
+
+class StudyView(_View):
+    """A place in the tree."""
+
+    icon = "study"
+
+    def doubleClicked(self, vobj):
+        from BalloonWorkbench.gui.panels import is_free
+        from BalloonWorkbench.gui.panels.results.study import show_panel
 
         if is_free():
             show_panel(vobj.Object)

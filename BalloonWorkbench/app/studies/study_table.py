@@ -15,6 +15,15 @@ from BalloonWorkbench.core.studies.study import check_count
 from BalloonWorkbench.core.studies.table import FAILURE
 
 MOST_ROWS = 10_000  # a spreadsheet of FreeCAD has 16 384
+#: FreeCAD's own, in which `Varied.read` gives values.
+_UNITS = {
+    "Length": "mm",
+    "Distance": "mm",
+    "Angle": "deg",
+    "Pressure": "kPa",
+    "Volume": "mm^3",
+    "Area": "mm^2",
+}
 #: The columns of a new study.
 USUAL = ("volume_m3", "thickness_mm", "safe_pressure_Pa", "weight_g", "lift_g", "error_mean_mm", FAILURE)
 _RESULTS = (*(result.name for result in RESULTS), WARNINGS, FAILURE)
@@ -73,6 +82,18 @@ def fill(sheet, inputs: Sequence[str], rows: Sequence[Sequence[Any]]) -> None:
     for number, values in enumerate([[*inputs, *USUAL], *rows], 1):
         for column, value in enumerate(values):
             sheet.set(f"{_letters(column)}{number}", str(value))
+
+
+def spread(each: Varied, first: str, last: str, count: int) -> list[str]:
+    """Evenly spaced values of a property as the cells of a table, both ends among them. Raises InputError."""
+    low, high = each.read(first), each.read(last)
+    if isinstance(low, (str, bool)):
+        raise InputError(f"{each.heading} is no number: write its values into the table.")
+    unit = _UNITS.get(each.kind, "")
+    values = [low + (high - low) * number / max(count - 1, 1) for number in range(count)]
+    if each.kind == "Integer":
+        values = [*dict.fromkeys(round(value) for value in values)]
+    return [f"={value:.9g} {unit}".rstrip() for value in values]
 
 
 def cross(sheet, table: Table, letters: str, values: Sequence[str]) -> None:

@@ -3,6 +3,9 @@
 
 from __future__ import annotations
 
+import FreeCAD as App
+import FreeCADGui as Gui
+
 from BalloonWorkbench.app.properties.property_table import QT_TRANSLATE_NOOP
 from BalloonWorkbench.gui.commands.command import (
     PatternCommand,
@@ -11,6 +14,8 @@ from BalloonWorkbench.gui.commands.command import (
     selected_parts,
     solved_parts,
 )
+from BalloonWorkbench.gui.qt import translate
+from BalloonWorkbench.gui.window.borders import undo_step
 
 
 class AdviceCommand(PatternCommand):
@@ -63,3 +68,32 @@ class Animate(ResultCommand):
         from BalloonWorkbench.gui.panels.results.animation import AnimationPanel
 
         show(AnimationPanel(solved_parts()))
+
+
+class Study(ResultCommand):
+    """Opens the selected study; makes one of the selected balloon where there is none."""
+
+    drawing = "study"
+    menu_text = QT_TRANSLATE_NOOP("BalloonWorkbench_Study", "Study")
+    tool_tip = QT_TRANSLATE_NOOP(
+        "BalloonWorkbench_Study",
+        "Work out many variants of a balloon from a spreadsheet, and compare them",
+    )
+
+    def Activated(self):
+        from BalloonWorkbench.app import study
+        from BalloonWorkbench.app.document.kinds import is_study
+        from BalloonWorkbench.app.studies.varied import SHEET, VARIABLES
+        from BalloonWorkbench.gui.panels import show
+        from BalloonWorkbench.gui.panels.results.study import StudyPanel
+
+        doc, selected = App.ActiveDocument, Gui.Selection.getSelection()
+        chosen = next(filter(is_study, selected), None)
+        variables, table = (
+            next((obj for obj in selected if obj.TypeId == kind), None) for kind in (VARIABLES, SHEET)
+        )
+        with undo_step(doc, translate("Study")):
+            if chosen is None:
+                chosen = study.make(doc, solved_parts(), variables, table)
+                doc.recompute()
+            show(StudyPanel(chosen))

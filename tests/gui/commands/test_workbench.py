@@ -8,7 +8,7 @@ import pytest
 from PySide import QtSvg
 
 COMMANDS = ("FromPicture", "FromSketch", "FromProfile", "FromBody", "FromPanels", "Advice", "ColourMap")
-COMMANDS += ("Animate", "Artwork", "Nest", "ExportPattern", "AssemblySheet")
+COMMANDS += ("Animate", "Study", "Artwork", "Nest", "ExportPattern", "AssemblySheet")
 TEXTS = [
     "Paint a balloon",
     "New balloon from picture",
@@ -19,6 +19,7 @@ TEXTS = [
     "Advice",
     "Colour map",
     "Animate inflation",
+    "Study",
     "Artwork",
     "Lay out on film",
     "Export pattern",
@@ -65,6 +66,7 @@ def test_commands_are_offered_when_they_make_sense():
         "Advice": False,
         "ColourMap": False,
         "Animate": False,
+        "Study": False,
         "Artwork": False,
         "Nest": False,
         "ExportPattern": False,

@@ -32,7 +32,16 @@ def test_panels(made, beat):
     """Those of the balloon, of what is seen of it, and of what is made with it."""
     Gui.Selection.addSelection(made.balloon)
     slow = {}
-    for name in ("Advice", "ColourMap", "Animate", "ExportPattern", "Artwork", "Nest", "AssemblySheet"):
+    for name in (
+        "Advice",
+        "ColourMap",
+        "Animate",
+        "ExportPattern",
+        "Artwork",
+        "Nest",
+        "AssemblySheet",
+        "Study",
+    ):
         beat.reset()
         Gui.runCommand(f"BalloonWorkbench_{name}")
         close(beat, name, slow)

@@ -126,6 +126,7 @@ COMMANDS = (
     "Advice",
     "Artwork",
     "Nest",
+    "Study",
     "AssemblySheet",
     "ColourMap",
     "Animate",

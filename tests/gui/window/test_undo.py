@@ -126,6 +126,10 @@ def write_sheet(document):
     keep()
 
 
+def keep_study(_document):
+    keep()
+
+
 def look(_document):
     hands.wait(0.2)
     hands.leave()
@@ -138,6 +142,7 @@ CHANGES = {
     "FromSketch": from_sketch,
     "Artwork": put_artwork,
     "Nest": lay_out,
+    "Study": keep_study,
 }
 LOOKS = {"ColourMap": look, "Animate": look, "Equipment": look, "ExportPattern": export}
 LOOKS["AssemblySheet"] = write_sheet
