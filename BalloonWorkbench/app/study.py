@@ -36,7 +36,7 @@ PROPERTIES = (
     Property("Link", "Balloon", "Study", "The balloon that is varied"),
     Property("Link", "Table", "Study", "The spreadsheet: headings in its first row, a balloon in each below"),
     Property(
-        "Path", "Folder", "Study", "Where finished balloons are kept; empty: FreeCAD's folder for such files"
+        "Path", "Folder", "Study", "Folder that keeps finished balloons; empty: FreeCAD's cache folder"
     ),
     Property(
         "Integer",
@@ -47,8 +47,8 @@ PROPERTIES = (
     ),
     result("Link", "Shown", "The balloon of a row that was shown last", hidden=True),
     result("Integer", "Rows", "Number of balloons in the table"),
-    result("Integer", "Finished", "How many of them are worked out"),
-    result("Integer", "Failed", "How many of these cannot be made"),
+    result("Integer", "Finished", "Number of balloons that are worked out"),
+    result("Integer", "Failed", "Number of balloons that cannot be made"),
     result("String", "Status", "Up to date, or what is wrong"),
 )
 

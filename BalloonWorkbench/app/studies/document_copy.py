@@ -14,8 +14,8 @@ from xml.etree import ElementTree
 from BalloonWorkbench.core.errors import ExportError
 
 #: Properties that are looks; those that our objects work out like their results.
-_LOOKS = ("Visibility", "Label2", "TreeRank")
-_WORKED_OUT = ("Shape", "Mesh", "Placement")
+_LOOKS = frozenset({"Visibility", "Label2", "TreeRank"})
+_WORKED_OUT = frozenset({"Shape", "Mesh", "Placement"})
 
 
 def copy_of(doc, folder: Path, left_out: Iterable[object], varied: Iterable[str]) -> Path:

@@ -11,7 +11,6 @@ from typing import Any, NamedTuple
 from BalloonWorkbench.app.studies.varied import Varied, varied
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.studies.results import RESULTS, WARNINGS
-from BalloonWorkbench.core.studies.study import check_count
 from BalloonWorkbench.core.studies.table import FAILURE
 
 MOST_ROWS = 10_000  # a spreadsheet of FreeCAD has 16 384
@@ -63,7 +62,7 @@ def read_table(sheet, parts) -> Table:
             rows[number] = _values(inputs, cells)
     if not rows:
         raise InputError(f"{sheet.Label} has no rows: write the values of each balloon below the headings.")
-    check_count(len(rows), MOST_ROWS)
+    _check_count(len(rows))
     return Table(inputs, results, rows)
 
 
@@ -78,7 +77,7 @@ def write_results(sheet, table: Table, results: dict[int, dict[str, Any]]) -> No
 
 def fill(sheet, inputs: Sequence[str], rows: Sequence[Sequence[Any]]) -> None:
     """Give a new spreadsheet headings, usual results among them, and rows of values. Raises InputError."""
-    check_count(len(rows), MOST_ROWS)
+    _check_count(len(rows))
     for number, values in enumerate([[*inputs, *USUAL], *rows], 1):
         for column, value in enumerate(values):
             sheet.set(f"{_letters(column)}{number}", str(value))
@@ -102,13 +101,18 @@ def cross(sheet, table: Table, letters: str, values: Sequence[str]) -> None:
     rows = dict.fromkeys(
         tuple(sheet.getContents(f"{name}{number}") for name in others) for number in table.rows
     )
-    check_count(len(rows) * len(values), MOST_ROWS)
+    _check_count(len(rows) * len(values))
     for number in table.rows:
         for name in (*table.inputs, *table.results):
             sheet.set(f"{name}{number}", "")
     for number, (row, value) in enumerate(product(rows, values), 2):
         for name, content in zip((*others, letters), (*row, value)):
             sheet.set(f"{name}{number}", content)
+
+
+def _check_count(rows: int) -> None:
+    if rows > MOST_ROWS:
+        raise InputError(f"The study has {rows} rows, more than {MOST_ROWS}: take fewer values.")
 
 
 def _values(inputs: dict[str, Varied], cells: dict[str, Any]) -> dict[str, Any] | str:

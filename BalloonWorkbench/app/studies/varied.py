@@ -16,7 +16,7 @@ SHEET, VARIABLES = "Spreadsheet::Sheet", "App::VarSet"
 _QUANTITIES = ("Length", "Distance", "Angle", "Pressure", "Volume", "Area")
 #: A plain number for one of these is millimetres or degrees, as everywhere in FreeCAD.
 _PLAIN = ("Length", "Distance", "Angle")
-_KINDS = (*_QUANTITIES, "Float", "FloatConstraint", "Integer", "Bool", "Enumeration", "String")
+_KINDS = frozenset({*_QUANTITIES, "Float", "FloatConstraint", "Integer", "Bool", "Enumeration", "String"})
 _YES, _NO = ("yes", "true", "on", "1"), ("no", "false", "off", "0")
 
 

@@ -110,7 +110,7 @@ class StudyPanel(ObjectPanel):
             ends.addWidget(widget)
         self.first.setToolTip(translate("From this value, with its unit"))
         self.last.setToolTip(translate("To this value, with its unit"))
-        self.steps.setToolTip(translate("In so many values"))
+        self.steps.setToolTip(translate("Number of values, both ends among them"))
         form.addRow(translate("Vary"), self.column)
         form.addRow(translate("From, to, values"), ends)
         form.addRow(self.make_rows)
