@@ -35,9 +35,7 @@ TASK = "BalloonWorkbench.app.studies.variant"
 PROPERTIES = (
     Property("Link", "Balloon", "Study", "The balloon that is varied"),
     Property("Link", "Table", "Study", "The spreadsheet: headings in its first row, a balloon in each below"),
-    Property(
-        "Path", "Folder", "Study", "Folder that keeps finished balloons; empty: FreeCAD's cache folder"
-    ),
+    Property("Path", "Folder", "Study", "Folder that keeps finished balloons; empty: FreeCAD's cache folder"),
     Property(
         "Integer",
         "Jobs",

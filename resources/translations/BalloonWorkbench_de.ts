@@ -156,6 +156,10 @@
         <translation>Flache Bahnen und ihre Nähte als JSON, in Metern</translation>
     </message>
     <message>
+        <source>Folder that keeps finished balloons; empty: FreeCAD's cache folder</source>
+        <translation>Ordner, der fertige Ballons aufbewahrt; leer: der Cache-Ordner von FreeCAD</translation>
+    </message>
+    <message>
         <source>Follow every change at once; switch it off for heavy models and inflate when you ask for it</source>
         <translation>Jeder Änderung sofort folgen; bei schweren Modellen ausschalten und auf Wunsch aufblasen</translation>
     </message>
@@ -238,6 +242,10 @@
     <message>
         <source>How many balloons are cut from the sheet</source>
         <translation>Wie viele Ballons aus dem Bogen geschnitten werden</translation>
+    </message>
+    <message>
+        <source>How many balloons are worked out at a time; 0: one for each processor</source>
+        <translation>Wie viele Ballons gleichzeitig berechnet werden; 0: einer je Prozessor</translation>
     </message>
     <message>
         <source>How many balloons of each pattern</source>
@@ -414,6 +422,18 @@
     <message>
         <source>Notches to lay both films on each other by, evenly along the cut; of many panels, groups of them on each seam, 0 as many as its length needs</source>
         <translation>Passkerben, um beide Folien aufeinanderzulegen, gleichmäßig entlang des Schnitts; bei vielen Bahnen Gruppen davon an jeder Naht, 0 so viele, wie ihre Länge braucht</translation>
+    </message>
+    <message>
+        <source>Number of balloons in the table</source>
+        <translation>Zahl der Ballons in der Tabelle</translation>
+    </message>
+    <message>
+        <source>Number of balloons that are worked out</source>
+        <translation>Zahl der berechneten Ballons</translation>
+    </message>
+    <message>
+        <source>Number of balloons that cannot be made</source>
+        <translation>Zahl der Ballons, die sich nicht machen lassen</translation>
     </message>
     <message>
         <source>Number of corners of each loop</source>
@@ -660,12 +680,20 @@
         <translation>Zugspannung im Querschnitt, bei der die Folie reißt; 0: unbekannt</translation>
     </message>
     <message>
+        <source>The balloon of a row that was shown last</source>
+        <translation>Der zuletzt gezeigte Ballon einer Zeile</translation>
+    </message>
+    <message>
         <source>The balloon shown has come to rest</source>
         <translation>Der gezeigte Ballon ist zur Ruhe gekommen</translation>
     </message>
     <message>
         <source>The balloon that is cut from this pattern</source>
         <translation>Der Ballon, der aus diesem Schnittmuster entsteht</translation>
+    </message>
+    <message>
+        <source>The balloon that is varied</source>
+        <translation>Der Ballon, der verändert wird</translation>
     </message>
     <message>
         <source>The film resists bending</source>
@@ -706,6 +734,10 @@
     <message>
         <source>The silhouette is within the tolerance of the drawing</source>
         <translation>Die Silhouette liegt innerhalb der Toleranz um die Zeichnung</translation>
+    </message>
+    <message>
+        <source>The spreadsheet: headings in its first row, a balloon in each below</source>
+        <translation>Die Kalkulationstabelle: Überschriften in der ersten Zeile, darunter in jeder ein Ballon</translation>
     </message>
     <message>
         <source>The whole report as JSON</source>
@@ -1051,6 +1083,10 @@
         <translation>„{0}“ hat eine Spalte zweimal.</translation>
     </message>
     <message>
+        <source>'{0}' has another unit than {1}: write it like {2}.</source>
+        <translation>„{0}“ hat eine andere Einheit als {1}: wie {2} schreiben.</translation>
+    </message>
+    <message>
         <source>'{0}' has its own panels: leave out what you give of gores or of a side band.</source>
         <translation>„{0}“ hat eigene Bahnen: weglassen, was zu Segmenten oder einem Seitenband angegeben ist.</translation>
     </message>
@@ -1183,12 +1219,28 @@
         <translation>„{0}“ ist kein Wert für {1}.</translation>
     </message>
     <message>
+        <source>'{0}' is no value for {1}: write a number and its unit.</source>
+        <translation>„{0}“ ist kein Wert für {1}: eine Zahl mit ihrer Einheit schreiben.</translation>
+    </message>
+    <message>
         <source>'{0}' is no value for {1}: write a number in its unit.</source>
         <translation>„{0}“ ist kein Wert für {1}: eine Zahl in dessen Einheit schreiben.</translation>
     </message>
     <message>
+        <source>'{0}' is no value for {1}: write a number without a unit.</source>
+        <translation>„{0}“ ist kein Wert für {1}: eine Zahl ohne Einheit schreiben.</translation>
+    </message>
+    <message>
         <source>'{0}' is no way to take samples: write {1} or {2}.</source>
         <translation>„{0}“ ist keine Art, Stichproben zu nehmen: {1} oder {2} schreiben.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no whole number: write one for {1}.</source>
+        <translation>„{0}“ ist keine ganze Zahl: für {1} eine schreiben.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no {1}: write {2}.</source>
+        <translation>„{0}“ gibt es bei {1} nicht: eines von diesen schreiben: {2}.</translation>
     </message>
     <message>
         <source>'{0}' is none of {1} for {2}.</source>
@@ -1631,6 +1683,10 @@
         <translation>Bögen in einer Skizze, wie sie über einem Festtisch hängen</translation>
     </message>
     <message>
+        <source>Area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
         <source>Arm too thin to fill</source>
         <translation>Arm zu dünn zum Füllen</translation>
     </message>
@@ -1787,6 +1843,10 @@
         <translation>Um mindestens</translation>
     </message>
     <message>
+        <source>Cannot write to '{0}' ({1}): choose another folder for the study.</source>
+        <translation>In „{0}“ kann nicht geschrieben werden ({1}): einen anderen Ordner für die Studie wählen.</translation>
+    </message>
+    <message>
         <source>Cannot write to {0}: {1}. Choose another folder, or make room there.</source>
         <translation>In {0} kann nicht geschrieben werden: {1}. Einen anderen Ordner wählen oder dort Platz schaffen.</translation>
     </message>
@@ -1845,6 +1905,10 @@
     <message>
         <source>Choose a picture or a sketch.</source>
         <translation>Ein Bild oder eine Skizze wählen.</translation>
+    </message>
+    <message>
+        <source>Choose a row first.</source>
+        <translation>Zuerst eine Zeile wählen.</translation>
     </message>
     <message>
         <source>Choose a sketch or a file with half the outline.</source>
@@ -2003,6 +2067,10 @@
         <translation>Punkte je Zoll</translation>
     </message>
     <message>
+        <source>Double-click a row to see its balloon</source>
+        <translation>Doppelklick auf eine Zeile zeigt ihren Ballon</translation>
+    </message>
+    <message>
         <source>Drag a seam to where it shall run. Esc: done.</source>
         <translation>Eine Naht dorthin ziehen, wo sie laufen soll. Esc: fertig.</translation>
     </message>
@@ -2059,6 +2127,10 @@
         <translation>E-Modul quer zur Laufrichtung</translation>
     </message>
     <message>
+        <source>Each row of the table once with each of these values</source>
+        <translation>Jede Zeile der Tabelle einmal mit jedem dieser Werte</translation>
+    </message>
+    <message>
         <source>Each stroke colour becomes an operation of its own: cut red, blue and orange, set all others to ignore. DXF is not read.</source>
         <translation>Jede Strichfarbe wird ein eigener Arbeitsgang: Rot, Blau und Orange schneiden, alle anderen ignorieren lassen. DXF wird nicht gelesen.</translation>
     </message>
@@ -2077,6 +2149,10 @@
     <message>
         <source>Edit film</source>
         <translation>Folienbogen bearbeiten</translation>
+    </message>
+    <message>
+        <source>Edit study</source>
+        <translation>Studie bearbeiten</translation>
     </message>
     <message>
         <source>Eight panels for a solid with fillets: change its section or their number</source>
@@ -2133,6 +2209,10 @@
     <message>
         <source>Face{0} of {1} is curved so much that it would take {2} strips of film. Give a number of panels, or leave such details out of the solid.</source>
         <translation>Face{0} von {1} ist so stark gekrümmt, dass sie {2} Streifen Folie bräuchte. Eine Zahl von Bahnen angeben oder solche Einzelheiten im Volumenkörper weglassen.</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>Gescheitert</translation>
     </message>
     <message>
         <source>Farthest point</source>
@@ -2303,6 +2383,10 @@
         <translation>Die Bilder sind gleichmäßig in der Bewegung, nicht in der Zeit. Nur die Folie hat Masse, das Gas keine.</translation>
     </message>
     <message>
+        <source>FreeCAD does not start beside this one ({0}): install it for the Python that runs there.</source>
+        <translation>Neben diesem startet kein weiteres FreeCAD ({0}): es für das Python installieren, das dort läuft.</translation>
+    </message>
+    <message>
         <source>FreeCAD failed while {0} ({1}). {2}</source>
         <translation>FreeCAD scheiterte {0} ({1}). {2}</translation>
     </message>
@@ -2321,6 +2405,14 @@
     <message>
         <source>From the flat film to the balloon at rest</source>
         <translation>Von der flachen Folie bis zum Ballon in Ruhe</translation>
+    </message>
+    <message>
+        <source>From this value, with its unit</source>
+        <translation>Von diesem Wert, mit Einheit</translation>
+    </message>
+    <message>
+        <source>From, to, values</source>
+        <translation>Von, bis, Werte</translation>
     </message>
     <message>
         <source>Front</source>
@@ -2369,6 +2461,10 @@
     <message>
         <source>Give either a volume or a lift as the goal.</source>
         <translation>Entweder ein Volumen oder einen Auftrieb als Ziel angeben.</translation>
+    </message>
+    <message>
+        <source>Give the document the values of the chosen row</source>
+        <translation>Dem Dokument die Werte der gewählten Zeile geben</translation>
     </message>
     <message>
         <source>Give {0} either "{1}" or "{2}", {3}.</source>
@@ -2647,6 +2743,10 @@
         <translation>JSON</translation>
     </message>
     <message>
+        <source>Jobs of a study is 0 or more: 0 takes one for each processor.</source>
+        <translation>Jobs einer Studie ist 0 oder mehr: 0 nimmt einen je Prozessor.</translation>
+    </message>
+    <message>
         <source>Join the panels along the dashed line, {seal} wide, all the way round.</source>
         <translation>Die Bahnen entlang der gestrichelten Linie verbinden, {seal} breit, rundherum.</translation>
     </message>
@@ -2859,6 +2959,10 @@
         <translation>Mach ihn!</translation>
     </message>
     <message>
+        <source>Make rows</source>
+        <translation>Zeilen anlegen</translation>
+    </message>
+    <message>
         <source>Make the balloon smaller and inflate it again, until its pattern fits the bed. Weld and allowance keep their widths; one undo takes it back</source>
         <translation>Den Ballon verkleinern und neu aufblasen, bis sein Schnittmuster auf das Bett passt. Schweißnaht und Zugabe behalten ihre Breite; einmal Rückgängig nimmt es zurück</translation>
     </message>
@@ -3051,6 +3155,10 @@
         <translation>Neben diesem kann kein Prozess gestartet werden ({0}).</translation>
     </message>
     <message>
+        <source>No row of {0} makes sense: {1}</source>
+        <translation>Keine Zeile von {0} ergibt einen Sinn: {1}</translation>
+    </message>
+    <message>
         <source>No seam can be drawn near {0}.</source>
         <translation>Nahe {0} lässt sich keine Naht zeichnen.</translation>
     </message>
@@ -3157,6 +3265,10 @@
     <message>
         <source>NumPy took 20 to 30 times longer than the native solver, which fetch-solver fetches.</source>
         <translation>NumPy brauchte 20- bis 30-mal so lange wie der native Löser, den fetch-solver herunterlädt.</translation>
+    </message>
+    <message>
+        <source>Number of values, both ends among them</source>
+        <translation>Zahl der Werte, beide Enden mitgezählt</translation>
     </message>
     <message>
         <source>Numbers</source>
@@ -3577,6 +3689,10 @@
     <message>
         <source>Play the inflation, or stop at a frame</source>
         <translation>Das Aufblasen abspielen oder bei einem Bild anhalten</translation>
+    </message>
+    <message>
+        <source>Plot</source>
+        <translation>Auftragen</translation>
     </message>
     <message>
         <source>Plotter units of 0.025 mm. Pen 1 draws the control bar, pen 2 cuts the notches, pen 3 the rest. Nothing is in the file that may not be cut. For a swivel knife set its offset, 0.25 mm is common. Cuts run 1 mm past their start: set overcut_mm to 0 where the cutter does that itself.</source>
@@ -4199,6 +4315,10 @@
         <translation>Studien auf Dask brauchen {0}: mit pip install {1} installieren oder --dask und --scheduler weglassen ({2}).</translation>
     </message>
     <message>
+        <source>Study</source>
+        <translation>Studie</translation>
+    </message>
+    <message>
         <source>Symmetry</source>
         <translation>Symmetrie</translation>
     </message>
@@ -4245,6 +4365,10 @@
     <message>
         <source>Take the picture away</source>
         <translation>Das Bild wegnehmen</translation>
+    </message>
+    <message>
+        <source>Take this row</source>
+        <translation>Diese Zeile übernehmen</translation>
     </message>
     <message>
         <source>Take what is selected</source>
@@ -4485,6 +4609,10 @@
     <message>
         <source>The balloon has no opening: say at which edge it is filled, or choose no intake.</source>
         <translation>Der Ballon hat keine Öffnung: sagen, an welcher Kante er gefüllt wird, oder keinen Füllhals wählen.</translation>
+    </message>
+    <message>
+        <source>The balloon has nothing that is called '{0}': {1}.</source>
+        <translation>Der Ballon hat nichts, was „{0}“ heißt: {1}.</translation>
     </message>
     <message>
         <source>The balloon is not near rest. Inflate it anew.</source>
@@ -5403,6 +5531,10 @@
         <translation>Die Studie hat {0} Zeilen, mehr als {1}: weniger Werte nehmen, oder --most {2} angeben, wenn das so gemeint ist.</translation>
     </message>
     <message>
+        <source>The study has {0} rows, more than {1}: take fewer values.</source>
+        <translation>Die Studie hat {0} Zeilen, mehr als {1}: weniger Werte nehmen.</translation>
+    </message>
+    <message>
         <source>The study is no JSON object: begin it with {"vary": ...}.</source>
         <translation>Die Studie ist kein JSON-Objekt: sie mit {"vary": ...} beginnen.</translation>
     </message>
@@ -5771,6 +5903,10 @@
         <translation>Diese Kerbe spannt die Folie {measured} so straff wie anderswo; sie wirft dort Falten und würde dort reißen. Sie mit einem Radius von {wanted} runden.</translation>
     </message>
     <message>
+        <source>This row is not worked out: choose Work out.</source>
+        <translation>Diese Zeile ist noch nicht berechnet: „Berechnen“ wählen.</translation>
+    </message>
+    <message>
         <source>This shape stays flat: it holds {percent} of the air that a round balloon of as much film would. Fewer and wider parts make it rounder.</source>
         <translation>Diese Form bleibt flach: Sie fasst {percent} der Luft, die ein runder Ballon aus ebenso viel Folie fassen würde. Weniger und breitere Teile machen sie runder.</translation>
     </message>
@@ -5785,6 +5921,10 @@
     <message>
         <source>Tip that stays flat</source>
         <translation>Spitze, die flach bleibt</translation>
+    </message>
+    <message>
+        <source>To this value, with its unit</source>
+        <translation>Bis zu diesem Wert, mit Einheit</translation>
     </message>
     <message>
         <source>Tolerances are worked out for two equal panels of one shape: </source>
@@ -5909,6 +6049,10 @@
     <message>
         <source>Valve, on one panel</source>
         <translation>Ventil, auf einer Bahn</translation>
+    </message>
+    <message>
+        <source>Vary</source>
+        <translation>Verändern</translation>
     </message>
     <message>
         <source>Violet</source>
@@ -6121,6 +6265,10 @@
     <message>
         <source>Without this seam panel {0} goes round the body and cannot be laid flat.</source>
         <translation>Ohne diese Naht läuft Bahn {0} um den Körper herum und lässt sich nicht flach auslegen.</translation>
+    </message>
+    <message>
+        <source>Work out</source>
+        <translation>Berechnen</translation>
     </message>
     <message>
         <source>Work out how near balloons of 6 to 60 panels come to the body</source>
@@ -6631,12 +6779,20 @@
         <translation>mehr als</translation>
     </message>
     <message>
+        <source>name a property of the balloon</source>
+        <translation>eine Eigenschaft des Ballons angeben</translation>
+    </message>
+    <message>
         <source>names the unit {0}, which is not a usual one</source>
         <translation>nennt die Einheit {0}, die unüblich ist</translation>
     </message>
     <message>
         <source>near {0} two of its edges are closer than {1}, and their welds run into each other: make the balloon larger or the seal narrower.</source>
         <translation>bei {0} liegen zwei ihrer Kanten näher als {1} beieinander, und ihre Schweißnähte laufen ineinander: den Ballon größer machen oder die Naht schmaler.</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
     </message>
     <message>
         <source>no drawing to compare with</source>
@@ -6669,6 +6825,10 @@
     <message>
         <source>outline</source>
         <translation>Umriss</translation>
+    </message>
+    <message>
+        <source>over</source>
+        <translation>über</translation>
     </message>
     <message>
         <source>pass {0}: {1}</source>
@@ -6927,6 +7087,10 @@
         <translation>Dateien schreiben</translation>
     </message>
     <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
         <source>{0} "{1}" is none of {2}.</source>
         <translation>{0} „{1}“ ist keines von {2}.</translation>
     </message>
@@ -6973,6 +7137,10 @@
     <message>
         <source>{0} cannot be read ({1}): write {2}.</source>
         <translation>{0} ist nicht zu lesen ({1}): {2} schreiben.</translation>
+    </message>
+    <message>
+        <source>{0} cannot be varied: choose a number, a word or a choice.</source>
+        <translation>{0} lässt sich nicht verändern: eine Zahl, ein Wort oder eine Auswahl wählen.</translation>
     </message>
     <message>
         <source>{0} cannot work: {1}</source>
@@ -7031,6 +7199,10 @@
         <translation>{0} hat keine Fläche: alle Punkte liegen auf einer Linie. Die Koordinaten prüfen.</translation>
     </message>
     <message>
+        <source>{0} has no balloon: choose the one that is to be varied.</source>
+        <translation>{0} hat keinen Ballon: den wählen, der verändert werden soll.</translation>
+    </message>
+    <message>
         <source>{0} has no pattern: choose a balloon.</source>
         <translation>{0} hat kein Schnittmuster: einen Ballon wählen.</translation>
     </message>
@@ -7043,12 +7215,20 @@
         <translation>{0} hat keinen Raum zwischen seinen Enden: das kleinere zuerst schreiben.</translation>
     </message>
     <message>
+        <source>{0} has no rows: write the values of each balloon below the headings.</source>
+        <translation>{0} hat keine Zeilen: unter die Überschriften die Werte jedes Ballons schreiben.</translation>
+    </message>
+    <message>
         <source>{0} has no shape. Choose a solid or a mesh.</source>
         <translation>{0} hat keine Form. Einen Volumenkörper oder ein Netz wählen.</translation>
     </message>
     <message>
         <source>{0} has no shape: select a sketch, a wire or a face.</source>
         <translation>{0} hat keine Form: eine Skizze, einen Draht oder eine Fläche wählen.</translation>
+    </message>
+    <message>
+        <source>{0} has no table: choose a spreadsheet of the document.</source>
+        <translation>{0} hat keine Tabelle: eine Kalkulationstabelle des Dokuments wählen.</translation>
     </message>
     <message>
         <source>{0} has no values: write {1}.</source>
@@ -7065,6 +7245,10 @@
     <message>
         <source>{0} has several faces: select those that are panels.</source>
         <translation>{0} hat mehrere Flächen: die wählen, die Bahnen sind.</translation>
+    </message>
+    <message>
+        <source>{0} has two columns for {1}: leave one out.</source>
+        <translation>{0} hat zwei Spalten für {1}: eine weglassen.</translation>
     </message>
     <message>
         <source>{0} has version {1}, not {2}: install the same one everywhere.</source>
@@ -7179,6 +7363,10 @@
         <translation>{0} ist keine Zahl: die Werte aufzählen.</translation>
     </message>
     <message>
+        <source>{0} is no number: write its values into the table.</source>
+        <translation>{0} ist keine Zahl: die Werte in die Tabelle schreiben.</translation>
+    </message>
+    <message>
         <source>{0} is not a coordinate</source>
         <translation>{0} ist keine Koordinate</translation>
     </message>
@@ -7267,6 +7455,10 @@
         <translation>{0} darf nie mit dem Laser geschnitten werden: eine Maschine mit Messer wählen.</translation>
     </message>
     <message>
+        <source>{0} needs a unit: write {1} instead of {2}.</source>
+        <translation>{0} braucht eine Einheit: {1} statt {2} schreiben.</translation>
+    </message>
+    <message>
         <source>{0} never gets from '{1}' to '{2}' by '{3}'.</source>
         <translation>{0} kommt mit „{3}“ nie von „{1}“ nach „{2}“.</translation>
     </message>
@@ -7281,6 +7473,10 @@
     <message>
         <source>{0} of its size</source>
         <translation>{0} ihrer Größe</translation>
+    </message>
+    <message>
+        <source>{0} of {1} follows the expression '{2}': vary what that is made of.</source>
+        <translation>{0} von {1} folgt dem Ausdruck „{2}“: verändern, woraus dieser besteht.</translation>
     </message>
     <message>
         <source>{0} of {1} is {2}, but its expression '{3}' gives {4}: change the expression.</source>
@@ -7345,6 +7541,10 @@
     <message>
         <source>{0} tiny holes were filled.</source>
         <translation>{0} winzige Löcher wurden gefüllt.</translation>
+    </message>
+    <message>
+        <source>{0} varies nothing: write into its first row what, such as Width.</source>
+        <translation>{0} verändert nichts: in die erste Zeile schreiben, was verändert wird, etwa Width.</translation>
     </message>
     <message>
         <source>{0} was left out. {1}</source>
@@ -7463,8 +7663,16 @@
         <translation>{} der Diagonale des Profils brauchen {} Segmente</translation>
     </message>
     <message>
+        <source>{} of them cannot be made:</source>
+        <translation>Davon {} ohne Ballon:</translation>
+    </message>
+    <message>
         <source>{} of {}</source>
         <translation>{} {}</translation>
+    </message>
+    <message>
+        <source>{} of {} rows are worked out.</source>
+        <translation>{} von {} Zeilen sind berechnet.</translation>
     </message>
     <message>
         <source>{} outside</source>
@@ -7505,6 +7713,10 @@
     <message>
         <source>{}, never floats with {}</source>
         <translation>{}, schwebt nie mit {}</translation>
+    </message>
+    <message>
+        <source>{}, row {}</source>
+        <translation>{}, Zeile {}</translation>
     </message>
     <message>
         <source>{}, seam {}</source>
@@ -7690,6 +7902,17 @@
     <message>
         <source>Paint a balloon</source>
         <translation>Einen Ballon malen</translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_Study</name>
+    <message>
+        <source>Study</source>
+        <translation>Studie</translation>
+    </message>
+    <message>
+        <source>Work out many variants of a balloon from a spreadsheet, and compare them</source>
+        <translation>Viele Varianten eines Ballons aus einer Kalkulationstabelle berechnen und vergleichen</translation>
     </message>
 </context>
 <context>

@@ -156,6 +156,10 @@
         <translation>Paneles planos y sus costuras como JSON, en metros</translation>
     </message>
     <message>
+        <source>Folder that keeps finished balloons; empty: FreeCAD's cache folder</source>
+        <translation>Carpeta que guarda los globos acabados; vacío: la carpeta de caché de FreeCAD</translation>
+    </message>
+    <message>
         <source>Follow every change at once; switch it off for heavy models and inflate when you ask for it</source>
         <translation>Seguir cada cambio al instante; desactívelo en modelos pesados e infle cuando lo pida</translation>
     </message>
@@ -238,6 +242,10 @@
     <message>
         <source>How many balloons are cut from the sheet</source>
         <translation>Cuántos globos se cortan de la lámina</translation>
+    </message>
+    <message>
+        <source>How many balloons are worked out at a time; 0: one for each processor</source>
+        <translation>Cuántos globos se calculan a la vez; 0: uno por procesador</translation>
     </message>
     <message>
         <source>How many balloons of each pattern</source>
@@ -414,6 +422,18 @@
     <message>
         <source>Notches to lay both films on each other by, evenly along the cut; of many panels, groups of them on each seam, 0 as many as its length needs</source>
         <translation>Muescas para poner las dos películas una sobre otra, repartidas por igual a lo largo del corte; con muchos paneles, grupos de ellas en cada costura, 0 tantas como necesita su longitud</translation>
+    </message>
+    <message>
+        <source>Number of balloons in the table</source>
+        <translation>Número de globos en la tabla</translation>
+    </message>
+    <message>
+        <source>Number of balloons that are worked out</source>
+        <translation>Número de globos calculados</translation>
+    </message>
+    <message>
+        <source>Number of balloons that cannot be made</source>
+        <translation>Número de globos que no se pueden hacer</translation>
     </message>
     <message>
         <source>Number of corners of each loop</source>
@@ -660,12 +680,20 @@
         <translation>Tensión en la sección a la que se rompe la película; 0: desconocida</translation>
     </message>
     <message>
+        <source>The balloon of a row that was shown last</source>
+        <translation>El globo de una fila mostrado por última vez</translation>
+    </message>
+    <message>
         <source>The balloon shown has come to rest</source>
         <translation>El globo que se muestra llegó al reposo</translation>
     </message>
     <message>
         <source>The balloon that is cut from this pattern</source>
         <translation>El globo que se corta de este patrón</translation>
+    </message>
+    <message>
+        <source>The balloon that is varied</source>
+        <translation>El globo que se varía</translation>
     </message>
     <message>
         <source>The film resists bending</source>
@@ -706,6 +734,10 @@
     <message>
         <source>The silhouette is within the tolerance of the drawing</source>
         <translation>La silueta está dentro de la tolerancia del dibujo</translation>
+    </message>
+    <message>
+        <source>The spreadsheet: headings in its first row, a balloon in each below</source>
+        <translation>La hoja de cálculo: encabezados en la primera fila, un globo en cada una de las siguientes</translation>
     </message>
     <message>
         <source>The whole report as JSON</source>
@@ -1051,6 +1083,10 @@
         <translation>«{0}» tiene una columna dos veces.</translation>
     </message>
     <message>
+        <source>'{0}' has another unit than {1}: write it like {2}.</source>
+        <translation>«{0}» tiene otra unidad que {1}: escríbalo como {2}.</translation>
+    </message>
+    <message>
         <source>'{0}' has its own panels: leave out what you give of gores or of a side band.</source>
         <translation>«{0}» tiene sus propios paneles: quite lo que indica de gajos o de una banda lateral.</translation>
     </message>
@@ -1183,12 +1219,28 @@
         <translation>«{0}» no es un valor para {1}.</translation>
     </message>
     <message>
+        <source>'{0}' is no value for {1}: write a number and its unit.</source>
+        <translation>«{0}» no es un valor para {1}: escriba un número con su unidad.</translation>
+    </message>
+    <message>
         <source>'{0}' is no value for {1}: write a number in its unit.</source>
         <translation>«{0}» no es un valor para {1}: escriba un número en su unidad.</translation>
     </message>
     <message>
+        <source>'{0}' is no value for {1}: write a number without a unit.</source>
+        <translation>«{0}» no es un valor para {1}: escriba un número sin unidad.</translation>
+    </message>
+    <message>
         <source>'{0}' is no way to take samples: write {1} or {2}.</source>
         <translation>«{0}» no es una forma de tomar muestras: escriba {1} o {2}.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no whole number: write one for {1}.</source>
+        <translation>«{0}» no es un número entero: escriba uno para {1}.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no {1}: write {2}.</source>
+        <translation>«{0}» no es una opción de {1}: escriba una de estas: {2}.</translation>
     </message>
     <message>
         <source>'{0}' is none of {1} for {2}.</source>
@@ -1631,6 +1683,10 @@
         <translation>Arcos en un croquis, como los que cuelgan sobre una mesa de fiesta</translation>
     </message>
     <message>
+        <source>Area</source>
+        <translation>Área</translation>
+    </message>
+    <message>
         <source>Arm too thin to fill</source>
         <translation>Brazo demasiado fino para llenarse</translation>
     </message>
@@ -1787,6 +1843,10 @@
         <translation>Distancia mínima</translation>
     </message>
     <message>
+        <source>Cannot write to '{0}' ({1}): choose another folder for the study.</source>
+        <translation>No se puede escribir en «{0}» ({1}): elija otra carpeta para el estudio.</translation>
+    </message>
+    <message>
         <source>Cannot write to {0}: {1}. Choose another folder, or make room there.</source>
         <translation>No se puede escribir en {0}: {1}. Elija otra carpeta o haga sitio.</translation>
     </message>
@@ -1845,6 +1905,10 @@
     <message>
         <source>Choose a picture or a sketch.</source>
         <translation>Elija una imagen o un croquis.</translation>
+    </message>
+    <message>
+        <source>Choose a row first.</source>
+        <translation>Elija primero una fila.</translation>
     </message>
     <message>
         <source>Choose a sketch or a file with half the outline.</source>
@@ -2003,6 +2067,10 @@
         <translation>Puntos por pulgada</translation>
     </message>
     <message>
+        <source>Double-click a row to see its balloon</source>
+        <translation>Doble clic en una fila para ver su globo</translation>
+    </message>
+    <message>
         <source>Drag a seam to where it shall run. Esc: done.</source>
         <translation>Arrastre una costura adonde deba ir. Esc: terminar.</translation>
     </message>
@@ -2059,6 +2127,10 @@
         <translation>E transversal a la fibra</translation>
     </message>
     <message>
+        <source>Each row of the table once with each of these values</source>
+        <translation>Cada fila de la tabla una vez con cada uno de estos valores</translation>
+    </message>
+    <message>
         <source>Each stroke colour becomes an operation of its own: cut red, blue and orange, set all others to ignore. DXF is not read.</source>
         <translation>Cada color de trazo se convierte en una operación: corte rojo, azul y naranja, y ponga todos los demás en ignorar. No lee DXF.</translation>
     </message>
@@ -2077,6 +2149,10 @@
     <message>
         <source>Edit film</source>
         <translation>Editar lámina de película</translation>
+    </message>
+    <message>
+        <source>Edit study</source>
+        <translation>Editar estudio</translation>
     </message>
     <message>
         <source>Eight panels for a solid with fillets: change its section or their number</source>
@@ -2133,6 +2209,10 @@
     <message>
         <source>Face{0} of {1} is curved so much that it would take {2} strips of film. Give a number of panels, or leave such details out of the solid.</source>
         <translation>Face{0} de {1} está tan curvada que necesitaría {2} tiras de película. Indique un número de paneles, o quite esos detalles del sólido.</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>Fallidos</translation>
     </message>
     <message>
         <source>Farthest point</source>
@@ -2303,6 +2383,10 @@
         <translation>Los fotogramas son regulares en movimiento, no en tiempo. Solo la película tiene masa, el gas no.</translation>
     </message>
     <message>
+        <source>FreeCAD does not start beside this one ({0}): install it for the Python that runs there.</source>
+        <translation>No arranca otro FreeCAD junto a este ({0}): instálelo para el Python que se ejecuta allí.</translation>
+    </message>
+    <message>
         <source>FreeCAD failed while {0} ({1}). {2}</source>
         <translation>FreeCAD falló al {0} ({1}). {2}</translation>
     </message>
@@ -2321,6 +2405,14 @@
     <message>
         <source>From the flat film to the balloon at rest</source>
         <translation>De la película plana al globo en reposo</translation>
+    </message>
+    <message>
+        <source>From this value, with its unit</source>
+        <translation>Desde este valor, con su unidad</translation>
+    </message>
+    <message>
+        <source>From, to, values</source>
+        <translation>Desde, hasta, valores</translation>
     </message>
     <message>
         <source>Front</source>
@@ -2369,6 +2461,10 @@
     <message>
         <source>Give either a volume or a lift as the goal.</source>
         <translation>Indique como objetivo un volumen o una sustentación.</translation>
+    </message>
+    <message>
+        <source>Give the document the values of the chosen row</source>
+        <translation>Dar al documento los valores de la fila elegida</translation>
     </message>
     <message>
         <source>Give {0} either "{1}" or "{2}", {3}.</source>
@@ -2647,6 +2743,10 @@
         <translation>JSON</translation>
     </message>
     <message>
+        <source>Jobs of a study is 0 or more: 0 takes one for each processor.</source>
+        <translation>Jobs de un estudio es 0 o más: 0 toma uno por procesador.</translation>
+    </message>
+    <message>
         <source>Join the panels along the dashed line, {seal} wide, all the way round.</source>
         <translation>Una los paneles a lo largo de la línea discontinua, con {seal} de ancho, todo alrededor.</translation>
     </message>
@@ -2859,6 +2959,10 @@
         <translation>¡Hazlo!</translation>
     </message>
     <message>
+        <source>Make rows</source>
+        <translation>Crear filas</translation>
+    </message>
+    <message>
         <source>Make the balloon smaller and inflate it again, until its pattern fits the bed. Weld and allowance keep their widths; one undo takes it back</source>
         <translation>Reducir el globo e inflarlo de nuevo hasta que su patrón quepa en la cama. Soldadura y margen conservan su anchura; se revierte con un solo «Deshacer»</translation>
     </message>
@@ -3051,6 +3155,10 @@
         <translation>No se puede iniciar ningún proceso junto a este ({0}).</translation>
     </message>
     <message>
+        <source>No row of {0} makes sense: {1}</source>
+        <translation>Ninguna fila de {0} tiene sentido: {1}</translation>
+    </message>
+    <message>
         <source>No seam can be drawn near {0}.</source>
         <translation>No se puede dibujar ninguna costura cerca de {0}.</translation>
     </message>
@@ -3157,6 +3265,10 @@
     <message>
         <source>NumPy took 20 to 30 times longer than the native solver, which fetch-solver fetches.</source>
         <translation>NumPy tardó de 20 a 30 veces más que el solucionador nativo, que se descarga con fetch-solver.</translation>
+    </message>
+    <message>
+        <source>Number of values, both ends among them</source>
+        <translation>Número de valores, con ambos extremos</translation>
     </message>
     <message>
         <source>Numbers</source>
@@ -3577,6 +3689,10 @@
     <message>
         <source>Play the inflation, or stop at a frame</source>
         <translation>Reproducir el inflado o parar en un fotograma</translation>
+    </message>
+    <message>
+        <source>Plot</source>
+        <translation>Representar</translation>
     </message>
     <message>
         <source>Plotter units of 0.025 mm. Pen 1 draws the control bar, pen 2 cuts the notches, pen 3 the rest. Nothing is in the file that may not be cut. For a swivel knife set its offset, 0.25 mm is common. Cuts run 1 mm past their start: set overcut_mm to 0 where the cutter does that itself.</source>
@@ -4199,6 +4315,10 @@
         <translation>Los estudios en Dask necesitan {0}: instálelo con pip install {1} u omita --dask y --scheduler ({2}).</translation>
     </message>
     <message>
+        <source>Study</source>
+        <translation>Estudio</translation>
+    </message>
+    <message>
         <source>Symmetry</source>
         <translation>Simetría</translation>
     </message>
@@ -4245,6 +4365,10 @@
     <message>
         <source>Take the picture away</source>
         <translation>Quitar la imagen</translation>
+    </message>
+    <message>
+        <source>Take this row</source>
+        <translation>Tomar esta fila</translation>
     </message>
     <message>
         <source>Take what is selected</source>
@@ -4485,6 +4609,10 @@
     <message>
         <source>The balloon has no opening: say at which edge it is filled, or choose no intake.</source>
         <translation>El globo no tiene abertura: diga por qué borde se llena, o elija ninguna boca.</translation>
+    </message>
+    <message>
+        <source>The balloon has nothing that is called '{0}': {1}.</source>
+        <translation>El globo no tiene nada que se llame «{0}»: {1}.</translation>
     </message>
     <message>
         <source>The balloon is not near rest. Inflate it anew.</source>
@@ -5403,6 +5531,10 @@
         <translation>El estudio tiene {0} filas, más de {1}: tome menos valores o indique --most {2} si es lo que quiere.</translation>
     </message>
     <message>
+        <source>The study has {0} rows, more than {1}: take fewer values.</source>
+        <translation>El estudio tiene {0} filas, más de {1}: tome menos valores.</translation>
+    </message>
+    <message>
         <source>The study is no JSON object: begin it with {"vary": ...}.</source>
         <translation>El estudio no es un objeto JSON: empiécelo con {"vary": ...}.</translation>
     </message>
@@ -5771,6 +5903,10 @@
         <translation>Esta entalla tensa la película {measured} más que en otras partes; ahí se arruga y se rasgaría. Redondéela con un radio de {wanted}.</translation>
     </message>
     <message>
+        <source>This row is not worked out: choose Work out.</source>
+        <translation>Esta fila no está calculada: elija Calcular.</translation>
+    </message>
+    <message>
         <source>This shape stays flat: it holds {percent} of the air that a round balloon of as much film would. Fewer and wider parts make it rounder.</source>
         <translation>Esta forma queda plana: contiene {percent} del aire que tendría un globo redondo con igual película. Partes menos numerosas y más anchas la redondean.</translation>
     </message>
@@ -5785,6 +5921,10 @@
     <message>
         <source>Tip that stays flat</source>
         <translation>Punta que queda plana</translation>
+    </message>
+    <message>
+        <source>To this value, with its unit</source>
+        <translation>Hasta este valor, con su unidad</translation>
     </message>
     <message>
         <source>Tolerances are worked out for two equal panels of one shape: </source>
@@ -5909,6 +6049,10 @@
     <message>
         <source>Valve, on one panel</source>
         <translation>Válvula, sobre un panel</translation>
+    </message>
+    <message>
+        <source>Vary</source>
+        <translation>Variar</translation>
     </message>
     <message>
         <source>Violet</source>
@@ -6121,6 +6265,10 @@
     <message>
         <source>Without this seam panel {0} goes round the body and cannot be laid flat.</source>
         <translation>Sin esta costura, el panel {0} rodea el cuerpo y no se puede aplanar.</translation>
+    </message>
+    <message>
+        <source>Work out</source>
+        <translation>Calcular</translation>
     </message>
     <message>
         <source>Work out how near balloons of 6 to 60 panels come to the body</source>
@@ -6631,12 +6779,20 @@
         <translation>más de</translation>
     </message>
     <message>
+        <source>name a property of the balloon</source>
+        <translation>indique una propiedad del globo</translation>
+    </message>
+    <message>
         <source>names the unit {0}, which is not a usual one</source>
         <translation>indica la unidad {0}, que no es habitual</translation>
     </message>
     <message>
         <source>near {0} two of its edges are closer than {1}, and their welds run into each other: make the balloon larger or the seal narrower.</source>
         <translation>cerca de {0} dos de sus bordes están a menos de {1}, y sus soldaduras se juntan: haga el globo mayor o la soldadura más estrecha.</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>no</translation>
     </message>
     <message>
         <source>no drawing to compare with</source>
@@ -6669,6 +6825,10 @@
     <message>
         <source>outline</source>
         <translation>contorno</translation>
+    </message>
+    <message>
+        <source>over</source>
+        <translation>en función de</translation>
     </message>
     <message>
         <source>pass {0}: {1}</source>
@@ -6927,6 +7087,10 @@
         <translation>escribiendo archivos</translation>
     </message>
     <message>
+        <source>yes</source>
+        <translation>sí</translation>
+    </message>
+    <message>
         <source>{0} "{1}" is none of {2}.</source>
         <translation>{0} «{1}» no es ninguno de {2}.</translation>
     </message>
@@ -6973,6 +7137,10 @@
     <message>
         <source>{0} cannot be read ({1}): write {2}.</source>
         <translation>{0} no se puede leer ({1}): escriba {2}.</translation>
+    </message>
+    <message>
+        <source>{0} cannot be varied: choose a number, a word or a choice.</source>
+        <translation>{0} no se puede variar: elija un número, una palabra o una opción.</translation>
     </message>
     <message>
         <source>{0} cannot work: {1}</source>
@@ -7031,6 +7199,10 @@
         <translation>{0} no tiene superficie: todos sus puntos están en una línea. Revise sus coordenadas.</translation>
     </message>
     <message>
+        <source>{0} has no balloon: choose the one that is to be varied.</source>
+        <translation>{0} no tiene globo: elija el que se va a variar.</translation>
+    </message>
+    <message>
         <source>{0} has no pattern: choose a balloon.</source>
         <translation>{0} no tiene patrón: elija un globo.</translation>
     </message>
@@ -7043,12 +7215,20 @@
         <translation>{0} no tiene espacio entre sus extremos: escriba primero el menor.</translation>
     </message>
     <message>
+        <source>{0} has no rows: write the values of each balloon below the headings.</source>
+        <translation>{0} no tiene filas: escriba los valores de cada globo bajo los encabezados.</translation>
+    </message>
+    <message>
         <source>{0} has no shape. Choose a solid or a mesh.</source>
         <translation>{0} no tiene forma. Elija un sólido o una malla.</translation>
     </message>
     <message>
         <source>{0} has no shape: select a sketch, a wire or a face.</source>
         <translation>{0} no tiene forma: seleccione un croquis, un alambre o una cara.</translation>
+    </message>
+    <message>
+        <source>{0} has no table: choose a spreadsheet of the document.</source>
+        <translation>{0} no tiene tabla: elija una hoja de cálculo del documento.</translation>
     </message>
     <message>
         <source>{0} has no values: write {1}.</source>
@@ -7065,6 +7245,10 @@
     <message>
         <source>{0} has several faces: select those that are panels.</source>
         <translation>{0} tiene varias caras: seleccione las que son paneles.</translation>
+    </message>
+    <message>
+        <source>{0} has two columns for {1}: leave one out.</source>
+        <translation>{0} tiene dos columnas para {1}: quite una.</translation>
     </message>
     <message>
         <source>{0} has version {1}, not {2}: install the same one everywhere.</source>
@@ -7179,6 +7363,10 @@
         <translation>{0} no es un número: enumere sus valores.</translation>
     </message>
     <message>
+        <source>{0} is no number: write its values into the table.</source>
+        <translation>{0} no es un número: escriba sus valores en la tabla.</translation>
+    </message>
+    <message>
         <source>{0} is not a coordinate</source>
         <translation>{0} no es una coordenada</translation>
     </message>
@@ -7267,6 +7455,10 @@
         <translation>{0} no se debe cortar nunca con láser: elija una máquina con cuchilla.</translation>
     </message>
     <message>
+        <source>{0} needs a unit: write {1} instead of {2}.</source>
+        <translation>{0} necesita una unidad: escriba {1} en vez de {2}.</translation>
+    </message>
+    <message>
         <source>{0} never gets from '{1}' to '{2}' by '{3}'.</source>
         <translation>{0} nunca llega de «{1}» a «{2}» con «{3}».</translation>
     </message>
@@ -7281,6 +7473,10 @@
     <message>
         <source>{0} of its size</source>
         <translation>un {0} de su tamaño</translation>
+    </message>
+    <message>
+        <source>{0} of {1} follows the expression '{2}': vary what that is made of.</source>
+        <translation>{0} de {1} sigue la expresión «{2}»: varíe aquello de lo que se compone.</translation>
     </message>
     <message>
         <source>{0} of {1} is {2}, but its expression '{3}' gives {4}: change the expression.</source>
@@ -7345,6 +7541,10 @@
     <message>
         <source>{0} tiny holes were filled.</source>
         <translation>Se rellenaron {0} agujeros diminutos.</translation>
+    </message>
+    <message>
+        <source>{0} varies nothing: write into its first row what, such as Width.</source>
+        <translation>{0} no varía nada: escriba en su primera fila qué se varía, por ejemplo Width.</translation>
     </message>
     <message>
         <source>{0} was left out. {1}</source>
@@ -7463,8 +7663,16 @@
         <translation>{} de la diagonal del perfil necesitan {} gajos</translation>
     </message>
     <message>
+        <source>{} of them cannot be made:</source>
+        <translation>De ellas, {} sin globo:</translation>
+    </message>
+    <message>
         <source>{} of {}</source>
         <translation>{} de {}</translation>
+    </message>
+    <message>
+        <source>{} of {} rows are worked out.</source>
+        <translation>{} de {} filas están calculadas.</translation>
     </message>
     <message>
         <source>{} outside</source>
@@ -7505,6 +7713,10 @@
     <message>
         <source>{}, never floats with {}</source>
         <translation>{}, nunca flota con {}</translation>
+    </message>
+    <message>
+        <source>{}, row {}</source>
+        <translation>{}, fila {}</translation>
     </message>
     <message>
         <source>{}, seam {}</source>
@@ -7690,6 +7902,17 @@
     <message>
         <source>Paint a balloon</source>
         <translation>Pintar un globo</translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_Study</name>
+    <message>
+        <source>Study</source>
+        <translation>Estudio</translation>
+    </message>
+    <message>
+        <source>Work out many variants of a balloon from a spreadsheet, and compare them</source>
+        <translation>Calcular muchas variantes de un globo desde una hoja de cálculo y compararlas</translation>
     </message>
 </context>
 <context>

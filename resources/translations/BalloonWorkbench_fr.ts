@@ -156,6 +156,10 @@
         <translation>Panneaux plats et leurs coutures en JSON, en mètres</translation>
     </message>
     <message>
+        <source>Folder that keeps finished balloons; empty: FreeCAD's cache folder</source>
+        <translation>Dossier qui garde les ballons finis ; vide : le dossier de cache de FreeCAD</translation>
+    </message>
+    <message>
         <source>Follow every change at once; switch it off for heavy models and inflate when you ask for it</source>
         <translation>Suivre aussitôt chaque changement ; à désactiver pour les modèles lourds, puis gonfler à la demande</translation>
     </message>
@@ -238,6 +242,10 @@
     <message>
         <source>How many balloons are cut from the sheet</source>
         <translation>Nombre de ballons découpés dans la feuille</translation>
+    </message>
+    <message>
+        <source>How many balloons are worked out at a time; 0: one for each processor</source>
+        <translation>Nombre de ballons calculés à la fois ; 0 : un par processeur</translation>
     </message>
     <message>
         <source>How many balloons of each pattern</source>
@@ -414,6 +422,18 @@
     <message>
         <source>Notches to lay both films on each other by, evenly along the cut; of many panels, groups of them on each seam, 0 as many as its length needs</source>
         <translation>Encoches pour poser les deux films l'un sur l'autre, réparties le long de la coupe ; avec plusieurs panneaux, des groupes d'encoches sur chaque couture, 0 autant que sa longueur en demande</translation>
+    </message>
+    <message>
+        <source>Number of balloons in the table</source>
+        <translation>Nombre de ballons dans le tableau</translation>
+    </message>
+    <message>
+        <source>Number of balloons that are worked out</source>
+        <translation>Nombre de ballons calculés</translation>
+    </message>
+    <message>
+        <source>Number of balloons that cannot be made</source>
+        <translation>Nombre de ballons impossibles à faire</translation>
     </message>
     <message>
         <source>Number of corners of each loop</source>
@@ -660,12 +680,20 @@
         <translation>Contrainte dans la section à laquelle le film se déchire ; 0 : inconnue</translation>
     </message>
     <message>
+        <source>The balloon of a row that was shown last</source>
+        <translation>Le dernier ballon d'une ligne qui a été montré</translation>
+    </message>
+    <message>
         <source>The balloon shown has come to rest</source>
         <translation>Le ballon montré est arrivé au repos</translation>
     </message>
     <message>
         <source>The balloon that is cut from this pattern</source>
         <translation>Le ballon découpé dans ce patron</translation>
+    </message>
+    <message>
+        <source>The balloon that is varied</source>
+        <translation>Le ballon que l'on fait varier</translation>
     </message>
     <message>
         <source>The film resists bending</source>
@@ -706,6 +734,10 @@
     <message>
         <source>The silhouette is within the tolerance of the drawing</source>
         <translation>La silhouette est dans la tolérance du dessin</translation>
+    </message>
+    <message>
+        <source>The spreadsheet: headings in its first row, a balloon in each below</source>
+        <translation>La feuille de calcul : en-têtes dans la première ligne, un ballon dans chacune des suivantes</translation>
     </message>
     <message>
         <source>The whole report as JSON</source>
@@ -1051,6 +1083,10 @@
         <translation>« {0} » a deux fois la même colonne.</translation>
     </message>
     <message>
+        <source>'{0}' has another unit than {1}: write it like {2}.</source>
+        <translation>« {0} » a une autre unité que {1} : écrivez comme {2}.</translation>
+    </message>
+    <message>
         <source>'{0}' has its own panels: leave out what you give of gores or of a side band.</source>
         <translation>« {0} » a ses propres panneaux : retirez ce qui concerne les fuseaux ou une bande latérale.</translation>
     </message>
@@ -1183,12 +1219,28 @@
         <translation>« {0} » n'est pas une valeur pour {1}.</translation>
     </message>
     <message>
+        <source>'{0}' is no value for {1}: write a number and its unit.</source>
+        <translation>« {0} » n'est pas une valeur pour {1} : écrivez un nombre et son unité.</translation>
+    </message>
+    <message>
         <source>'{0}' is no value for {1}: write a number in its unit.</source>
         <translation>« {0} » n'est pas une valeur pour {1} : écrivez un nombre dans son unité.</translation>
     </message>
     <message>
+        <source>'{0}' is no value for {1}: write a number without a unit.</source>
+        <translation>« {0} » n'est pas une valeur pour {1} : écrivez un nombre sans unité.</translation>
+    </message>
+    <message>
         <source>'{0}' is no way to take samples: write {1} or {2}.</source>
         <translation>« {0} » n'est pas une façon de tirer des échantillons : écrivez {1} ou {2}.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no whole number: write one for {1}.</source>
+        <translation>« {0} » n'est pas un nombre entier : écrivez-en un pour {1}.</translation>
+    </message>
+    <message>
+        <source>'{0}' is no {1}: write {2}.</source>
+        <translation>« {0} » n'est pas un choix de {1} : écrivez l'un de ceux-ci : {2}.</translation>
     </message>
     <message>
         <source>'{0}' is none of {1} for {2}.</source>
@@ -1631,6 +1683,10 @@
         <translation>Des arcs dans une esquisse, comme au-dessus d'une table de fête</translation>
     </message>
     <message>
+        <source>Area</source>
+        <translation>Aire</translation>
+    </message>
+    <message>
         <source>Arm too thin to fill</source>
         <translation>Bras trop mince pour se remplir</translation>
     </message>
@@ -1787,6 +1843,10 @@
         <translation>D'au moins</translation>
     </message>
     <message>
+        <source>Cannot write to '{0}' ({1}): choose another folder for the study.</source>
+        <translation>Impossible d'écrire dans « {0} » ({1}) : choisissez un autre dossier pour l'étude.</translation>
+    </message>
+    <message>
         <source>Cannot write to {0}: {1}. Choose another folder, or make room there.</source>
         <translation>Impossible d'écrire dans {0} : {1}. Choisissez un autre dossier, ou libérez de la place.</translation>
     </message>
@@ -1845,6 +1905,10 @@
     <message>
         <source>Choose a picture or a sketch.</source>
         <translation>Choisissez une image ou une esquisse.</translation>
+    </message>
+    <message>
+        <source>Choose a row first.</source>
+        <translation>Choisissez d'abord une ligne.</translation>
     </message>
     <message>
         <source>Choose a sketch or a file with half the outline.</source>
@@ -2003,6 +2067,10 @@
         <translation>Points par pouce</translation>
     </message>
     <message>
+        <source>Double-click a row to see its balloon</source>
+        <translation>Double-cliquez sur une ligne pour voir son ballon</translation>
+    </message>
+    <message>
         <source>Drag a seam to where it shall run. Esc: done.</source>
         <translation>Tirez une couture là où elle doit passer. Échap : terminé.</translation>
     </message>
@@ -2059,6 +2127,10 @@
         <translation>Module d'Young en travers</translation>
     </message>
     <message>
+        <source>Each row of the table once with each of these values</source>
+        <translation>Chaque ligne du tableau une fois avec chacune de ces valeurs</translation>
+    </message>
+    <message>
         <source>Each stroke colour becomes an operation of its own: cut red, blue and orange, set all others to ignore. DXF is not read.</source>
         <translation>Chaque couleur de trait devient une opération : coupez le rouge, le bleu et l'orange, faites ignorer toutes les autres. Le DXF n'est pas lu.</translation>
     </message>
@@ -2077,6 +2149,10 @@
     <message>
         <source>Edit film</source>
         <translation>Modifier la feuille de film</translation>
+    </message>
+    <message>
+        <source>Edit study</source>
+        <translation>Modifier l'étude</translation>
     </message>
     <message>
         <source>Eight panels for a solid with fillets: change its section or their number</source>
@@ -2133,6 +2209,10 @@
     <message>
         <source>Face{0} of {1} is curved so much that it would take {2} strips of film. Give a number of panels, or leave such details out of the solid.</source>
         <translation>Face{0} de {1} est si courbe qu'il y faudrait {2} bandes de film. Donnez un nombre de panneaux, ou retirez de tels détails du solide.</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>Échoués</translation>
     </message>
     <message>
         <source>Farthest point</source>
@@ -2303,6 +2383,10 @@
         <translation>Les images sont régulières en mouvement, non en temps. Seul le film a une masse, le gaz n'en a pas.</translation>
     </message>
     <message>
+        <source>FreeCAD does not start beside this one ({0}): install it for the Python that runs there.</source>
+        <translation>Aucun autre FreeCAD ne démarre à côté de celui-ci ({0}) : installez-le pour le Python qui tourne là.</translation>
+    </message>
+    <message>
         <source>FreeCAD failed while {0} ({1}). {2}</source>
         <translation>FreeCAD a échoué pendant {0} ({1}). {2}</translation>
     </message>
@@ -2321,6 +2405,14 @@
     <message>
         <source>From the flat film to the balloon at rest</source>
         <translation>Du film plat au ballon au repos</translation>
+    </message>
+    <message>
+        <source>From this value, with its unit</source>
+        <translation>De cette valeur, avec son unité</translation>
+    </message>
+    <message>
+        <source>From, to, values</source>
+        <translation>De, à, valeurs</translation>
     </message>
     <message>
         <source>Front</source>
@@ -2369,6 +2461,10 @@
     <message>
         <source>Give either a volume or a lift as the goal.</source>
         <translation>Donnez comme but soit un volume, soit une portance.</translation>
+    </message>
+    <message>
+        <source>Give the document the values of the chosen row</source>
+        <translation>Donner au document les valeurs de la ligne choisie</translation>
     </message>
     <message>
         <source>Give {0} either "{1}" or "{2}", {3}.</source>
@@ -2647,6 +2743,10 @@
         <translation>JSON</translation>
     </message>
     <message>
+        <source>Jobs of a study is 0 or more: 0 takes one for each processor.</source>
+        <translation>Jobs d'une étude vaut 0 ou plus : 0 en prend un par processeur.</translation>
+    </message>
+    <message>
         <source>Join the panels along the dashed line, {seal} wide, all the way round.</source>
         <translation>Assemblez les panneaux le long de la ligne en tirets, sur {seal} de large, tout autour.</translation>
     </message>
@@ -2859,6 +2959,10 @@
         <translation>Fabriquer !</translation>
     </message>
     <message>
+        <source>Make rows</source>
+        <translation>Créer les lignes</translation>
+    </message>
+    <message>
         <source>Make the balloon smaller and inflate it again, until its pattern fits the bed. Weld and allowance keep their widths; one undo takes it back</source>
         <translation>Réduire le ballon et le gonfler à nouveau, jusqu'à ce que son patron tienne sur le plateau. La soudure et la marge gardent leur largeur ; une seule annulation suffit pour revenir en arrière</translation>
     </message>
@@ -3051,6 +3155,10 @@
         <translation>Aucun processus ne peut être lancé à côté de celui-ci ({0}).</translation>
     </message>
     <message>
+        <source>No row of {0} makes sense: {1}</source>
+        <translation>Aucune ligne de {0} n'a de sens : {1}</translation>
+    </message>
+    <message>
         <source>No seam can be drawn near {0}.</source>
         <translation>Aucune couture ne peut être dessinée près de {0}.</translation>
     </message>
@@ -3157,6 +3265,10 @@
     <message>
         <source>NumPy took 20 to 30 times longer than the native solver, which fetch-solver fetches.</source>
         <translation>NumPy a mis 20 à 30 fois plus de temps que le solveur natif, que fetch-solver télécharge.</translation>
+    </message>
+    <message>
+        <source>Number of values, both ends among them</source>
+        <translation>Nombre de valeurs, les deux bouts compris</translation>
     </message>
     <message>
         <source>Numbers</source>
@@ -3577,6 +3689,10 @@
     <message>
         <source>Play the inflation, or stop at a frame</source>
         <translation>Lire le gonflage, ou s'arrêter sur une image</translation>
+    </message>
+    <message>
+        <source>Plot</source>
+        <translation>Tracer</translation>
     </message>
     <message>
         <source>Plotter units of 0.025 mm. Pen 1 draws the control bar, pen 2 cuts the notches, pen 3 the rest. Nothing is in the file that may not be cut. For a swivel knife set its offset, 0.25 mm is common. Cuts run 1 mm past their start: set overcut_mm to 0 where the cutter does that itself.</source>
@@ -4199,6 +4315,10 @@
         <translation>Les études sur Dask demandent {0} : installez-le par pip install {1}, ou omettez --dask et --scheduler ({2}).</translation>
     </message>
     <message>
+        <source>Study</source>
+        <translation>Étude</translation>
+    </message>
+    <message>
         <source>Symmetry</source>
         <translation>Symétrie</translation>
     </message>
@@ -4245,6 +4365,10 @@
     <message>
         <source>Take the picture away</source>
         <translation>Enlever l'image</translation>
+    </message>
+    <message>
+        <source>Take this row</source>
+        <translation>Prendre cette ligne</translation>
     </message>
     <message>
         <source>Take what is selected</source>
@@ -4485,6 +4609,10 @@
     <message>
         <source>The balloon has no opening: say at which edge it is filled, or choose no intake.</source>
         <translation>Le ballon n'a pas d'ouverture : dites par quel bord il est rempli, ou ne choisissez pas d'embout.</translation>
+    </message>
+    <message>
+        <source>The balloon has nothing that is called '{0}': {1}.</source>
+        <translation>Le ballon n'a rien qui s'appelle « {0} » : {1}.</translation>
     </message>
     <message>
         <source>The balloon is not near rest. Inflate it anew.</source>
@@ -5403,6 +5531,10 @@
         <translation>L'étude a {0} lignes, plus que {1} : prenez moins de valeurs, ou donnez --most {2} si c'est voulu.</translation>
     </message>
     <message>
+        <source>The study has {0} rows, more than {1}: take fewer values.</source>
+        <translation>L'étude a {0} lignes, plus que {1} : prenez moins de valeurs.</translation>
+    </message>
+    <message>
         <source>The study is no JSON object: begin it with {"vary": ...}.</source>
         <translation>L'étude n'est pas un objet JSON : commencez-la par {"vary": ...}.</translation>
     </message>
@@ -5771,6 +5903,10 @@
         <translation>Cette entaille tend le film {measured} plus qu'ailleurs ; il s'y plisse et s'y déchirerait. Arrondissez-la au rayon de {wanted}.</translation>
     </message>
     <message>
+        <source>This row is not worked out: choose Work out.</source>
+        <translation>Cette ligne n'est pas calculée : choisissez Calculer.</translation>
+    </message>
+    <message>
         <source>This shape stays flat: it holds {percent} of the air that a round balloon of as much film would. Fewer and wider parts make it rounder.</source>
         <translation>Cette forme reste plate : elle contient {percent} de l'air que contiendrait un ballon rond d'autant de film. Des parties moins nombreuses et plus larges l'arrondissent.</translation>
     </message>
@@ -5785,6 +5921,10 @@
     <message>
         <source>Tip that stays flat</source>
         <translation>Pointe qui reste plate</translation>
+    </message>
+    <message>
+        <source>To this value, with its unit</source>
+        <translation>À cette valeur, avec son unité</translation>
     </message>
     <message>
         <source>Tolerances are worked out for two equal panels of one shape: </source>
@@ -5909,6 +6049,10 @@
     <message>
         <source>Valve, on one panel</source>
         <translation>Valve, sur un panneau</translation>
+    </message>
+    <message>
+        <source>Vary</source>
+        <translation>Faire varier</translation>
     </message>
     <message>
         <source>Violet</source>
@@ -6121,6 +6265,10 @@
     <message>
         <source>Without this seam panel {0} goes round the body and cannot be laid flat.</source>
         <translation>Sans cette couture, le panneau {0} fait le tour du corps et ne peut pas être mis à plat.</translation>
+    </message>
+    <message>
+        <source>Work out</source>
+        <translation>Calculer</translation>
     </message>
     <message>
         <source>Work out how near balloons of 6 to 60 panels come to the body</source>
@@ -6631,12 +6779,20 @@
         <translation>plus de</translation>
     </message>
     <message>
+        <source>name a property of the balloon</source>
+        <translation>indiquez une propriété du ballon</translation>
+    </message>
+    <message>
         <source>names the unit {0}, which is not a usual one</source>
         <translation>nomme l'unité {0}, qui n'est pas courante</translation>
     </message>
     <message>
         <source>near {0} two of its edges are closer than {1}, and their welds run into each other: make the balloon larger or the seal narrower.</source>
         <translation>près de {0}, deux de ses bords sont à moins de {1}, et leurs soudures se mêlent : agrandissez le ballon ou rétrécissez la soudure.</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>non</translation>
     </message>
     <message>
         <source>no drawing to compare with</source>
@@ -6669,6 +6825,10 @@
     <message>
         <source>outline</source>
         <translation>contour</translation>
+    </message>
+    <message>
+        <source>over</source>
+        <translation>en fonction de</translation>
     </message>
     <message>
         <source>pass {0}: {1}</source>
@@ -6927,6 +7087,10 @@
         <translation>écriture des fichiers</translation>
     </message>
     <message>
+        <source>yes</source>
+        <translation>oui</translation>
+    </message>
+    <message>
         <source>{0} "{1}" is none of {2}.</source>
         <translation>{0} « {1} » n'est aucun de {2}.</translation>
     </message>
@@ -6973,6 +7137,10 @@
     <message>
         <source>{0} cannot be read ({1}): write {2}.</source>
         <translation>{0} est illisible ({1}) : écrivez {2}.</translation>
+    </message>
+    <message>
+        <source>{0} cannot be varied: choose a number, a word or a choice.</source>
+        <translation>{0} ne peut pas varier : prenez un nombre, un mot ou un choix.</translation>
     </message>
     <message>
         <source>{0} cannot work: {1}</source>
@@ -7031,6 +7199,10 @@
         <translation>{0} n'a pas de surface : tous ses points sont sur une ligne. Vérifiez ses coordonnées.</translation>
     </message>
     <message>
+        <source>{0} has no balloon: choose the one that is to be varied.</source>
+        <translation>{0} n'a pas de ballon : choisissez celui que l'on fait varier.</translation>
+    </message>
+    <message>
         <source>{0} has no pattern: choose a balloon.</source>
         <translation>{0} n'a pas de patron : choisissez un ballon.</translation>
     </message>
@@ -7043,12 +7215,20 @@
         <translation>{0} n'a pas de place entre ses bornes : écrivez la plus petite d'abord.</translation>
     </message>
     <message>
+        <source>{0} has no rows: write the values of each balloon below the headings.</source>
+        <translation>{0} n'a pas de lignes : écrivez les valeurs de chaque ballon sous les en-têtes.</translation>
+    </message>
+    <message>
         <source>{0} has no shape. Choose a solid or a mesh.</source>
         <translation>{0} n'a pas de forme. Choisissez un solide ou un maillage.</translation>
     </message>
     <message>
         <source>{0} has no shape: select a sketch, a wire or a face.</source>
         <translation>{0} n'a pas de forme : sélectionnez une esquisse, un fil ou une face.</translation>
+    </message>
+    <message>
+        <source>{0} has no table: choose a spreadsheet of the document.</source>
+        <translation>{0} n'a pas de tableau : choisissez une feuille de calcul du document.</translation>
     </message>
     <message>
         <source>{0} has no values: write {1}.</source>
@@ -7065,6 +7245,10 @@
     <message>
         <source>{0} has several faces: select those that are panels.</source>
         <translation>{0} a plusieurs faces : sélectionnez celles qui sont des panneaux.</translation>
+    </message>
+    <message>
+        <source>{0} has two columns for {1}: leave one out.</source>
+        <translation>{0} a deux colonnes pour {1} : retirez-en une.</translation>
     </message>
     <message>
         <source>{0} has version {1}, not {2}: install the same one everywhere.</source>
@@ -7179,6 +7363,10 @@
         <translation>{0} n'est pas un nombre : énumérez ses valeurs.</translation>
     </message>
     <message>
+        <source>{0} is no number: write its values into the table.</source>
+        <translation>{0} n'est pas un nombre : écrivez ses valeurs dans le tableau.</translation>
+    </message>
+    <message>
         <source>{0} is not a coordinate</source>
         <translation>{0} n'est pas une coordonnée</translation>
     </message>
@@ -7267,6 +7455,10 @@
         <translation>{0} ne doit jamais être coupé au laser : choisissez une machine à lame.</translation>
     </message>
     <message>
+        <source>{0} needs a unit: write {1} instead of {2}.</source>
+        <translation>{0} demande une unité : écrivez {1} au lieu de {2}.</translation>
+    </message>
+    <message>
         <source>{0} never gets from '{1}' to '{2}' by '{3}'.</source>
         <translation>{0} ne va jamais de « {1} » à « {2} » par « {3} ».</translation>
     </message>
@@ -7281,6 +7473,10 @@
     <message>
         <source>{0} of its size</source>
         <translation>{0} de sa taille</translation>
+    </message>
+    <message>
+        <source>{0} of {1} follows the expression '{2}': vary what that is made of.</source>
+        <translation>{0} de {1} suit l'expression « {2} » : faites varier ce dont elle est faite.</translation>
     </message>
     <message>
         <source>{0} of {1} is {2}, but its expression '{3}' gives {4}: change the expression.</source>
@@ -7345,6 +7541,10 @@
     <message>
         <source>{0} tiny holes were filled.</source>
         <translation>{0} trous minuscules ont été remplis.</translation>
+    </message>
+    <message>
+        <source>{0} varies nothing: write into its first row what, such as Width.</source>
+        <translation>{0} ne fait rien varier : écrivez dans sa première ligne ce qui varie, par exemple Width.</translation>
     </message>
     <message>
         <source>{0} was left out. {1}</source>
@@ -7463,8 +7663,16 @@
         <translation>{} de la diagonale du profil demandent {} fuseaux</translation>
     </message>
     <message>
+        <source>{} of them cannot be made:</source>
+        <translation>Dont {} sans ballon :</translation>
+    </message>
+    <message>
         <source>{} of {}</source>
         <translation>{} de {}</translation>
+    </message>
+    <message>
+        <source>{} of {} rows are worked out.</source>
+        <translation>{} lignes sur {} sont calculées.</translation>
     </message>
     <message>
         <source>{} outside</source>
@@ -7505,6 +7713,10 @@
     <message>
         <source>{}, never floats with {}</source>
         <translation>{}, ne flotte jamais avec {}</translation>
+    </message>
+    <message>
+        <source>{}, row {}</source>
+        <translation>{}, ligne {}</translation>
     </message>
     <message>
         <source>{}, seam {}</source>
@@ -7690,6 +7902,17 @@
     <message>
         <source>Paint a balloon</source>
         <translation>Peindre un ballon</translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_Study</name>
+    <message>
+        <source>Study</source>
+        <translation>Étude</translation>
+    </message>
+    <message>
+        <source>Work out many variants of a balloon from a spreadsheet, and compare them</source>
+        <translation>Calculer de nombreuses variantes d'un ballon à partir d'une feuille de calcul, et les comparer</translation>
     </message>
 </context>
 <context>

@@ -156,6 +156,10 @@
         <translation>平らなパネルと継ぎ目の JSON（メートル）</translation>
     </message>
     <message>
+        <source>Folder that keeps finished balloons; empty: FreeCAD's cache folder</source>
+        <translation>できた風船を残しておくフォルダー（空なら FreeCAD のキャッシュフォルダー）</translation>
+    </message>
+    <message>
         <source>Follow every change at once; switch it off for heavy models and inflate when you ask for it</source>
         <translation>変更にすぐ追従する。重いモデルではオフにし、必要なときにふくらませる</translation>
     </message>
@@ -238,6 +242,10 @@
     <message>
         <source>How many balloons are cut from the sheet</source>
         <translation>1 枚のシートから切り出す風船の数</translation>
+    </message>
+    <message>
+        <source>How many balloons are worked out at a time; 0: one for each processor</source>
+        <translation>同時に計算する風船の数。0 ならプロセッサーごとに 1 個</translation>
     </message>
     <message>
         <source>How many balloons of each pattern</source>
@@ -414,6 +422,18 @@
     <message>
         <source>Notches to lay both films on each other by, evenly along the cut; of many panels, groups of them on each seam, 0 as many as its length needs</source>
         <translation>2 枚のフィルムを重ねるための合印。切り線に沿って等間隔に付きます。複数パネルでは継ぎ目ごとの合印の組で、0 なら長さに必要なだけ</translation>
+    </message>
+    <message>
+        <source>Number of balloons in the table</source>
+        <translation>表にある風船の数</translation>
+    </message>
+    <message>
+        <source>Number of balloons that are worked out</source>
+        <translation>計算済みの風船の数</translation>
+    </message>
+    <message>
+        <source>Number of balloons that cannot be made</source>
+        <translation>作れない風船の数</translation>
     </message>
     <message>
         <source>Number of corners of each loop</source>
@@ -660,12 +680,20 @@
         <translation>フィルムが破れる断面応力（0：不明）</translation>
     </message>
     <message>
+        <source>The balloon of a row that was shown last</source>
+        <translation>最後に表示した行の風船</translation>
+    </message>
+    <message>
         <source>The balloon shown has come to rest</source>
         <translation>表示している風船が静止している</translation>
     </message>
     <message>
         <source>The balloon that is cut from this pattern</source>
         <translation>この型紙から作る風船</translation>
+    </message>
+    <message>
+        <source>The balloon that is varied</source>
+        <translation>値を変えてみる風船</translation>
     </message>
     <message>
         <source>The film resists bending</source>
@@ -706,6 +734,10 @@
     <message>
         <source>The silhouette is within the tolerance of the drawing</source>
         <translation>シルエットが図の許容差内にある</translation>
+    </message>
+    <message>
+        <source>The spreadsheet: headings in its first row, a balloon in each below</source>
+        <translation>表計算シート：1 行目は見出し、その下は 1 行に 1 個の風船</translation>
     </message>
     <message>
         <source>The whole report as JSON</source>
@@ -1051,6 +1083,10 @@
         <translation>「{0}」に同じ列が 2 つあります。</translation>
     </message>
     <message>
+        <source>'{0}' has another unit than {1}: write it like {2}.</source>
+        <translation>「{0}」の単位は {1} に合いません。{2} のように書いてください。</translation>
+    </message>
+    <message>
         <source>'{0}' has its own panels: leave out what you give of gores or of a side band.</source>
         <translation>「{0}」には独自のパネルがあります。ゴアや側面の帯の指定を外してください。</translation>
     </message>
@@ -1183,12 +1219,28 @@
         <translation>「{0}」は {1} の値ではありません。</translation>
     </message>
     <message>
+        <source>'{0}' is no value for {1}: write a number and its unit.</source>
+        <translation>「{0}」は {1} の値ではありません。数と単位を書いてください。</translation>
+    </message>
+    <message>
         <source>'{0}' is no value for {1}: write a number in its unit.</source>
         <translation>「{0}」は {1} の値ではありません。その単位で数を書いてください。</translation>
     </message>
     <message>
+        <source>'{0}' is no value for {1}: write a number without a unit.</source>
+        <translation>「{0}」は {1} の値ではありません。単位のない数を書いてください。</translation>
+    </message>
+    <message>
         <source>'{0}' is no way to take samples: write {1} or {2}.</source>
         <translation>「{0}」はサンプルの取り方ではありません。{1} か {2} と書いてください。</translation>
+    </message>
+    <message>
+        <source>'{0}' is no whole number: write one for {1}.</source>
+        <translation>「{0}」は整数ではありません。{1} には整数を書いてください。</translation>
+    </message>
+    <message>
+        <source>'{0}' is no {1}: write {2}.</source>
+        <translation>「{0}」は {1} の選択肢にありません。次のどれかを書いてください：{2}。</translation>
     </message>
     <message>
         <source>'{0}' is none of {1} for {2}.</source>
@@ -1631,6 +1683,10 @@
         <translation>パーティーの飾りのような、スケッチの円弧でできた文字</translation>
     </message>
     <message>
+        <source>Area</source>
+        <translation>面積</translation>
+    </message>
+    <message>
         <source>Arm too thin to fill</source>
         <translation>細すぎてふくらまない腕</translation>
     </message>
@@ -1787,6 +1843,10 @@
         <translation>最小の間隔</translation>
     </message>
     <message>
+        <source>Cannot write to '{0}' ({1}): choose another folder for the study.</source>
+        <translation>「{0}」に書き込めません（{1}）。スタディには別のフォルダーを選んでください。</translation>
+    </message>
+    <message>
         <source>Cannot write to {0}: {1}. Choose another folder, or make room there.</source>
         <translation>{0} に書き込めません：{1}。別のフォルダーを選ぶか、空きを作ってください。</translation>
     </message>
@@ -1845,6 +1905,10 @@
     <message>
         <source>Choose a picture or a sketch.</source>
         <translation>画像かスケッチを選んでください。</translation>
+    </message>
+    <message>
+        <source>Choose a row first.</source>
+        <translation>先に行を選んでください。</translation>
     </message>
     <message>
         <source>Choose a sketch or a file with half the outline.</source>
@@ -2003,6 +2067,10 @@
         <translation>解像度（dpi）</translation>
     </message>
     <message>
+        <source>Double-click a row to see its balloon</source>
+        <translation>行をダブルクリックするとその風船が見えます</translation>
+    </message>
+    <message>
         <source>Drag a seam to where it shall run. Esc: done.</source>
         <translation>継ぎ目を通したい所へドラッグします。Esc：終了。</translation>
     </message>
@@ -2059,6 +2127,10 @@
         <translation>流れに直角のヤング率</translation>
     </message>
     <message>
+        <source>Each row of the table once with each of these values</source>
+        <translation>表の各行を、これらの値のそれぞれと 1 回ずつ組み合わせます</translation>
+    </message>
+    <message>
         <source>Each stroke colour becomes an operation of its own: cut red, blue and orange, set all others to ignore. DXF is not read.</source>
         <translation>線の色ごとに別の加工になります。赤、青、オレンジを切り、ほかはすべて「無視」にしてください。DXF は読めません。</translation>
     </message>
@@ -2077,6 +2149,10 @@
     <message>
         <source>Edit film</source>
         <translation>フィルムの配置を編集</translation>
+    </message>
+    <message>
+        <source>Edit study</source>
+        <translation>スタディを編集</translation>
     </message>
     <message>
         <source>Eight panels for a solid with fillets: change its section or their number</source>
@@ -2133,6 +2209,10 @@
     <message>
         <source>Face{0} of {1} is curved so much that it would take {2} strips of film. Give a number of panels, or leave such details out of the solid.</source>
         <translation>{1} の Face{0} は曲がりが強く、フィルムの帯が {2} 本必要になります。パネルの数を指定するか、そのような細部をソリッドから除いてください。</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>失敗</translation>
     </message>
     <message>
         <source>Farthest point</source>
@@ -2303,6 +2383,10 @@
         <translation>コマは時間ではなく動きに対して等間隔です。質量はフィルムだけにあり、気体にはありません。</translation>
     </message>
     <message>
+        <source>FreeCAD does not start beside this one ({0}): install it for the Python that runs there.</source>
+        <translation>別の FreeCAD が起動しません（{0}）。そこで動く Python から使えるように FreeCAD を入れてください。</translation>
+    </message>
+    <message>
         <source>FreeCAD failed while {0} ({1}). {2}</source>
         <translation>{0}中に FreeCAD が失敗しました（{1}）。{2}</translation>
     </message>
@@ -2321,6 +2405,14 @@
     <message>
         <source>From the flat film to the balloon at rest</source>
         <translation>平らなフィルムから、ふくらんで静止するまで</translation>
+    </message>
+    <message>
+        <source>From this value, with its unit</source>
+        <translation>この値から（単位付き）</translation>
+    </message>
+    <message>
+        <source>From, to, values</source>
+        <translation>始め、終わり、値の数</translation>
     </message>
     <message>
         <source>Front</source>
@@ -2369,6 +2461,10 @@
     <message>
         <source>Give either a volume or a lift as the goal.</source>
         <translation>目標には体積か浮力のどちらか一方を指定してください。</translation>
+    </message>
+    <message>
+        <source>Give the document the values of the chosen row</source>
+        <translation>選んだ行の値をドキュメントに入れます</translation>
     </message>
     <message>
         <source>Give {0} either "{1}" or "{2}", {3}.</source>
@@ -2647,6 +2743,10 @@
         <translation>JSON</translation>
     </message>
     <message>
+        <source>Jobs of a study is 0 or more: 0 takes one for each processor.</source>
+        <translation>スタディの Jobs は 0 以上です。0 ならプロセッサーごとに 1 つになります。</translation>
+    </message>
+    <message>
         <source>Join the panels along the dashed line, {seal} wide, all the way round.</source>
         <translation>破線に沿って幅 {seal} で、ぐるりと 1 周接合します。</translation>
     </message>
@@ -2859,6 +2959,10 @@
         <translation>作る！</translation>
     </message>
     <message>
+        <source>Make rows</source>
+        <translation>行を作る</translation>
+    </message>
+    <message>
         <source>Make the balloon smaller and inflate it again, until its pattern fits the bed. Weld and allowance keep their widths; one undo takes it back</source>
         <translation>型紙が加工台に収まるまで、風船を小さくしてふくらませ直します。溶着と余白の幅は変わりません。「元に戻す」1 回で戻ります</translation>
     </message>
@@ -3051,6 +3155,10 @@
         <translation>別のプロセスを起動できません（{0}）。</translation>
     </message>
     <message>
+        <source>No row of {0} makes sense: {1}</source>
+        <translation>{0} に使える行がありません：{1}</translation>
+    </message>
+    <message>
         <source>No seam can be drawn near {0}.</source>
         <translation>{0} 付近には継ぎ目を描けません。</translation>
     </message>
@@ -3157,6 +3265,10 @@
     <message>
         <source>NumPy took 20 to 30 times longer than the native solver, which fetch-solver fetches.</source>
         <translation>NumPy での計算には、ネイティブソルバーの 20～30 倍の時間がかかりました。ネイティブソルバーは fetch-solver で取得できます。</translation>
+    </message>
+    <message>
+        <source>Number of values, both ends among them</source>
+        <translation>値の数（両端を含む）</translation>
     </message>
     <message>
         <source>Numbers</source>
@@ -3577,6 +3689,10 @@
     <message>
         <source>Play the inflation, or stop at a frame</source>
         <translation>膨張を再生する、または途中で止める</translation>
+    </message>
+    <message>
+        <source>Plot</source>
+        <translation>グラフの縦軸</translation>
     </message>
     <message>
         <source>Plotter units of 0.025 mm. Pen 1 draws the control bar, pen 2 cuts the notches, pen 3 the rest. Nothing is in the file that may not be cut. For a swivel knife set its offset, 0.25 mm is common. Cuts run 1 mm past their start: set overcut_mm to 0 where the cutter does that itself.</source>
@@ -4199,6 +4315,10 @@
         <translation>Dask でのスタディには {0} が必要です。pip install {1} で入れるか、--dask と --scheduler を外してください（{2}）。</translation>
     </message>
     <message>
+        <source>Study</source>
+        <translation>スタディ</translation>
+    </message>
+    <message>
         <source>Symmetry</source>
         <translation>対称</translation>
     </message>
@@ -4245,6 +4365,10 @@
     <message>
         <source>Take the picture away</source>
         <translation>画像を外す</translation>
+    </message>
+    <message>
+        <source>Take this row</source>
+        <translation>この行を採用</translation>
     </message>
     <message>
         <source>Take what is selected</source>
@@ -4485,6 +4609,10 @@
     <message>
         <source>The balloon has no opening: say at which edge it is filled, or choose no intake.</source>
         <translation>風船に開口がありません。空気を入れる辺を指定するか、注入口なしを選んでください。</translation>
+    </message>
+    <message>
+        <source>The balloon has nothing that is called '{0}': {1}.</source>
+        <translation>風船に「{0}」という名前のものはありません。{1}。</translation>
     </message>
     <message>
         <source>The balloon is not near rest. Inflate it anew.</source>
@@ -5403,6 +5531,10 @@
         <translation>スタディに {0} 行あり、{1} を超えています。値を減らすか、これでよければ --most {2} を指定してください。</translation>
     </message>
     <message>
+        <source>The study has {0} rows, more than {1}: take fewer values.</source>
+        <translation>スタディに {0} 行あり、{1} を超えています。値を減らしてください。</translation>
+    </message>
+    <message>
         <source>The study is no JSON object: begin it with {"vary": ...}.</source>
         <translation>スタディが JSON オブジェクトではありません。{"vary": ...} で始めてください。</translation>
     </message>
@@ -5771,6 +5903,10 @@
         <translation>この切れ込みではフィルムの張りがほかの {measured} になり、しわが寄って破れやすくなります。半径 {wanted} で丸めてください。</translation>
     </message>
     <message>
+        <source>This row is not worked out: choose Work out.</source>
+        <translation>この行は計算されていません。「計算する」を選んでください。</translation>
+    </message>
+    <message>
         <source>This shape stays flat: it holds {percent} of the air that a round balloon of as much film would. Fewer and wider parts make it rounder.</source>
         <translation>この形は平らなままです。同じ量のフィルムで作る丸い風船に比べ、空気は {percent} しか入りません。部分を減らし、広くすると丸くなります。</translation>
     </message>
@@ -5785,6 +5921,10 @@
     <message>
         <source>Tip that stays flat</source>
         <translation>平らなままの先端</translation>
+    </message>
+    <message>
+        <source>To this value, with its unit</source>
+        <translation>この値まで（単位付き）</translation>
     </message>
     <message>
         <source>Tolerances are worked out for two equal panels of one shape: </source>
@@ -5909,6 +6049,10 @@
     <message>
         <source>Valve, on one panel</source>
         <translation>弁（片方のフィルムの上）</translation>
+    </message>
+    <message>
+        <source>Vary</source>
+        <translation>変えるもの</translation>
     </message>
     <message>
         <source>Violet</source>
@@ -6121,6 +6265,10 @@
     <message>
         <source>Without this seam panel {0} goes round the body and cannot be laid flat.</source>
         <translation>この継ぎ目がないと、パネル {0} は立体を一周し、平らに広げられません。</translation>
+    </message>
+    <message>
+        <source>Work out</source>
+        <translation>計算する</translation>
     </message>
     <message>
         <source>Work out how near balloons of 6 to 60 panels come to the body</source>
@@ -6631,12 +6779,20 @@
         <translation>次の値より多く</translation>
     </message>
     <message>
+        <source>name a property of the balloon</source>
+        <translation>風船のプロパティを指定してください</translation>
+    </message>
+    <message>
         <source>names the unit {0}, which is not a usual one</source>
         <translation>単位 {0} は一般的ではありません</translation>
     </message>
     <message>
         <source>near {0} two of its edges are closer than {1}, and their welds run into each other: make the balloon larger or the seal narrower.</source>
         <translation>{0} の近くで 2 つの辺の間が {1} より狭く、溶着が重なります。風船を大きくするか、溶着を細くしてください。</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>いいえ</translation>
     </message>
     <message>
         <source>no drawing to compare with</source>
@@ -6669,6 +6825,10 @@
     <message>
         <source>outline</source>
         <translation>輪郭</translation>
+    </message>
+    <message>
+        <source>over</source>
+        <translation>横軸</translation>
     </message>
     <message>
         <source>pass {0}: {1}</source>
@@ -6927,6 +7087,10 @@
         <translation>ファイルを書き出しています</translation>
     </message>
     <message>
+        <source>yes</source>
+        <translation>はい</translation>
+    </message>
+    <message>
         <source>{0} "{1}" is none of {2}.</source>
         <translation>{0}「{1}」は {2} のどれでもありません。</translation>
     </message>
@@ -6973,6 +7137,10 @@
     <message>
         <source>{0} cannot be read ({1}): write {2}.</source>
         <translation>{0} を読み取れません（{1}）。{2} のように書いてください。</translation>
+    </message>
+    <message>
+        <source>{0} cannot be varied: choose a number, a word or a choice.</source>
+        <translation>{0} は変えられません。数、言葉、選択肢のどれかを選んでください。</translation>
     </message>
     <message>
         <source>{0} cannot work: {1}</source>
@@ -7031,6 +7199,10 @@
         <translation>{0} に面積がありません。点がすべて一直線上にあります。座標を確かめてください。</translation>
     </message>
     <message>
+        <source>{0} has no balloon: choose the one that is to be varied.</source>
+        <translation>{0} に風船がありません。値を変えてみる風船を選んでください。</translation>
+    </message>
+    <message>
         <source>{0} has no pattern: choose a balloon.</source>
         <translation>{0} に型紙がありません。風船を選んでください。</translation>
     </message>
@@ -7043,12 +7215,20 @@
         <translation>{0} の両端の間に範囲がありません。小さい方を先に書いてください。</translation>
     </message>
     <message>
+        <source>{0} has no rows: write the values of each balloon below the headings.</source>
+        <translation>{0} に行がありません。見出しの下に風船ごとの値を書いてください。</translation>
+    </message>
+    <message>
         <source>{0} has no shape. Choose a solid or a mesh.</source>
         <translation>{0} に形状がありません。ソリッドかメッシュを選んでください。</translation>
     </message>
     <message>
         <source>{0} has no shape: select a sketch, a wire or a face.</source>
         <translation>{0} に形状がありません。スケッチ、ワイヤー、面を選んでください。</translation>
+    </message>
+    <message>
+        <source>{0} has no table: choose a spreadsheet of the document.</source>
+        <translation>{0} に表がありません。ドキュメントの表計算シートを選んでください。</translation>
     </message>
     <message>
         <source>{0} has no values: write {1}.</source>
@@ -7065,6 +7245,10 @@
     <message>
         <source>{0} has several faces: select those that are panels.</source>
         <translation>{0} には複数の面があります。パネルになる面を選んでください。</translation>
+    </message>
+    <message>
+        <source>{0} has two columns for {1}: leave one out.</source>
+        <translation>{0} には {1} の列が 2 つあります。一つを外してください。</translation>
     </message>
     <message>
         <source>{0} has version {1}, not {2}: install the same one everywhere.</source>
@@ -7179,6 +7363,10 @@
         <translation>{0} は数ではありません。値を並べてください。</translation>
     </message>
     <message>
+        <source>{0} is no number: write its values into the table.</source>
+        <translation>{0} は数ではありません。値を表に書いてください。</translation>
+    </message>
+    <message>
         <source>{0} is not a coordinate</source>
         <translation>{0} は座標ではない</translation>
     </message>
@@ -7267,6 +7455,10 @@
         <translation>{0} は絶対にレーザーで切ってはいけません。刃で切る機械を選んでください。</translation>
     </message>
     <message>
+        <source>{0} needs a unit: write {1} instead of {2}.</source>
+        <translation>{0} には単位が要ります。{2} ではなく {1} のように書いてください。</translation>
+    </message>
+    <message>
         <source>{0} never gets from '{1}' to '{2}' by '{3}'.</source>
         <translation>{0} は「{1}」から「{3}」刻みでは「{2}」に届きません。</translation>
     </message>
@@ -7281,6 +7473,10 @@
     <message>
         <source>{0} of its size</source>
         <translation>大きさの {0}</translation>
+    </message>
+    <message>
+        <source>{0} of {1} follows the expression '{2}': vary what that is made of.</source>
+        <translation>{1} の {0} は式「{2}」で決まります。式が参照する値を変えてください。</translation>
     </message>
     <message>
         <source>{0} of {1} is {2}, but its expression '{3}' gives {4}: change the expression.</source>
@@ -7345,6 +7541,10 @@
     <message>
         <source>{0} tiny holes were filled.</source>
         <translation>ごく小さな穴を {0} 個ふさぎました。</translation>
+    </message>
+    <message>
+        <source>{0} varies nothing: write into its first row what, such as Width.</source>
+        <translation>{0} では何も変わりません。1 行目に、変えるものを Width のように書いてください。</translation>
     </message>
     <message>
         <source>{0} was left out. {1}</source>
@@ -7463,8 +7663,16 @@
         <translation>断面の対角線の {0} にはゴア {1} 枚が必要です</translation>
     </message>
     <message>
+        <source>{} of them cannot be made:</source>
+        <translation>うち {} 行は風船を作れません：</translation>
+    </message>
+    <message>
         <source>{} of {}</source>
         <translation>{} の{}</translation>
+    </message>
+    <message>
+        <source>{} of {} rows are worked out.</source>
+        <translation>{1} 行のうち {0} 行を計算しました。</translation>
     </message>
     <message>
         <source>{} outside</source>
@@ -7505,6 +7713,10 @@
     <message>
         <source>{}, never floats with {}</source>
         <translation>{}、{}では浮かない</translation>
+    </message>
+    <message>
+        <source>{}, row {}</source>
+        <translation>{}、{} 行</translation>
     </message>
     <message>
         <source>{}, seam {}</source>
@@ -7690,6 +7902,17 @@
     <message>
         <source>Paint a balloon</source>
         <translation>風船を描く</translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_Study</name>
+    <message>
+        <source>Study</source>
+        <translation>スタディ</translation>
+    </message>
+    <message>
+        <source>Work out many variants of a balloon from a spreadsheet, and compare them</source>
+        <translation>表計算シートから風船の案をいくつも計算し、比べる</translation>
     </message>
 </context>
 <context>
