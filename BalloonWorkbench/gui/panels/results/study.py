@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from BalloonWorkbench.app import study as studies
+from BalloonWorkbench.app.studies import study as studies
 from BalloonWorkbench.app.studies import study_table
 from BalloonWorkbench.app.studies.variant import MESH
 from BalloonWorkbench.core.errors import BalloonError, Cancelled
@@ -36,7 +36,7 @@ def show_panel(obj) -> None:
 
 
 @dataclass(frozen=True)
-class _Run:
+class _StudyRun:
     """What a worker is asked: to work out the rows of a study that are not there yet."""
 
     study: Any
@@ -258,7 +258,7 @@ class StudyPanel(ObjectPanel):
             return
         try:
             study = studies.core_study(self.obj, self.table)
-            request = _Run(study, studies.folder(self.obj), studies.runner(self.obj))
+            request = _StudyRun(study, studies.folder(self.obj), studies.runner(self.obj))
         except BalloonError as error:
             self.message.setText(translated(str(error)))
             return
