@@ -233,7 +233,7 @@ def study(made: Parts, columns=None, table=None, jobs: int = 0):
     table    a spreadsheet of headings and rows instead
     A variant that cannot be made is a row with its sentence. Raises InputError, ExportError.
     """
-    from BalloonWorkbench.app import study as studies
+    from BalloonWorkbench.app.studies import study as studies
 
     if _done:
         return _done[-1]

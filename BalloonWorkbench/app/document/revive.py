@@ -24,7 +24,7 @@ _KINDS = {
     "PanelName": ("panel", "PanelProxy"),
     "Bleed": ("artwork", "ArtworkProxy"),
     "LaidOutFor": ("film_sheet", "FilmSheetProxy"),
-    "Failed": ("study", "StudyProxy"),
+    "Failed": ("studies.study", "StudyProxy"),
 }
 _GROUP = ("group", "GroupProxy")
 

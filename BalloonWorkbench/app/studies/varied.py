@@ -77,22 +77,22 @@ class Varied(NamedTuple):
 
     def _quantity(self, cell) -> float:
         unit = getattr(self.obj, self.name).Unit
-        given = _parsed(cell)
-        if given is None:
+        quantity = _parsed(cell)
+        if quantity is None:
             raise InputError(f"'{cell}' is no value for {self.heading}: write a number and its unit.")
-        if not any(given.Unit.Signature):
+        if not any(quantity.Unit.Signature):
             if self.kind not in _PLAIN:
                 raise InputError(f"{self.heading} needs a unit: write {self.shown()} instead of {cell}.")
-            return float(given.Value)
-        if given.Unit != unit:
+            return float(quantity.Value)
+        if quantity.Unit != unit:
             raise InputError(f"'{cell}' has another unit than {self.heading}: write it like {self.shown()}.")
-        return float(given.Value)
+        return float(quantity.Value)
 
     def _number(self, cell):
-        given = _parsed(cell)
-        if given is None or any(given.Unit.Signature):
+        quantity = _parsed(cell)
+        if quantity is None or any(quantity.Unit.Signature):
             raise InputError(f"'{cell}' is no value for {self.heading}: write a number without a unit.")
-        number = float(given.Value)
+        number = float(quantity.Value)
         if self.kind != "Integer":
             return number
         if not number.is_integer():
@@ -103,10 +103,10 @@ class Varied(NamedTuple):
         entries = {
             _plain(entry): entry for entry in self.obj.getEnumerationsOfProperty(self.name) if entry.strip()
         }
-        found = entries.get(_plain(text))
-        if found is None:
+        match = entries.get(_plain(text))
+        if match is None:
             raise InputError(f"'{text}' is no {self.heading}: write {', '.join(entries.values())}.")
-        return found
+        return match
 
 
 def varied(heading: str, parts, table) -> Varied:
@@ -121,20 +121,20 @@ def varied(heading: str, parts, table) -> Varied:
             continue
         for own, wording in _names(obj):
             known.setdefault(_plain(wording), Varied(heading, obj, own))
-    found = known.get(_plain(name))
-    if found is None:
+    match = known.get(_plain(name))
+    if match is None:
         near = [known[each].name for each in get_close_matches(_plain(name), known, 3, 0.5)]
         advice = f"the nearest are {', '.join(near)}" if near else "name a property of the balloon"
         raise InputError(f"The balloon has nothing that is called '{heading}': {advice}.")
-    if found.obj.TypeId != SHEET and found.kind not in _KINDS:
+    if match.obj.TypeId != SHEET and match.kind not in _KINDS:
         raise InputError(f"{heading} cannot be varied: choose a number, a word or a choice.")
-    follows = dict(found.obj.ExpressionEngine).get(found.name)
+    follows = dict(match.obj.ExpressionEngine).get(match.name)
     if follows:
         raise InputError(
-            f"{found.name} of {found.obj.Label} follows the expression '{follows}': vary what that is made"
+            f"{match.name} of {match.obj.Label} follows the expression '{follows}': vary what that is made"
             " of."
         )
-    return found
+    return match
 
 
 def of_key(document, key: str) -> Varied:
@@ -145,8 +145,8 @@ def of_key(document, key: str) -> Varied:
 
 def write_all(document, values: dict[str, Any]) -> None:
     """Give a document the values of a row, by `Varied.key`; a choice may decide others, so it comes first."""
-    found = [(of_key(document, key), value) for key, value in values.items()]
-    for each, value in sorted(found, key=lambda pair: pair[0].kind != "Enumeration"):
+    pairs = [(of_key(document, key), value) for key, value in values.items()]
+    for each, value in sorted(pairs, key=lambda pair: pair[0].kind != "Enumeration"):
         each.write(value)
 
 

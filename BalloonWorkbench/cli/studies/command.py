@@ -18,7 +18,7 @@ from BalloonWorkbench.core.language.speech import chosen_language
 from BalloonWorkbench.core.studies.folder import StudyFolder
 from BalloonWorkbench.core.studies.job import SAMPLE_OF_TOLERANCES, WHOLE, Finished, Runner
 from BalloonWorkbench.core.studies.kinds.goal_study import GoalStudy, goal_lines, needs_rows, run_goal
-from BalloonWorkbench.core.studies.kinds.tolerance_study import write_summary
+from BalloonWorkbench.core.studies.kinds.tolerance_study import tolerance_summary, write_summary
 from BalloonWorkbench.core.studies.page import write_page
 from BalloonWorkbench.core.studies.read_study import read_goal_study, read_study
 from BalloonWorkbench.core.studies.run import plan_study, run_study
@@ -78,9 +78,12 @@ def _ends(
 ) -> list[str]:
     """Lines about the whole of a study, whose tables are written; its page and summary are written too."""
     lines: list[str] = []
-    paths = [*tables, _page(study, options, say, failures)]
+    folder, data = StudyFolder(options.out), None
     if study.task == SAMPLE_OF_TOLERANCES:
-        path, lines = write_summary(study, StudyFolder(options.out))
+        data = tolerance_summary(study, folder)
+    paths = [*tables, _page(study, options, say, failures, data)]
+    if data is not None:
+        path, lines = write_summary(folder, data)
         paths.append(path)
     return [*map(say, lines), *(say(f"Wrote {path}") for path in paths)]
 
@@ -114,12 +117,16 @@ def _seek(goal: GoalStudy, options: argparse.Namespace, say: Say) -> int:
 
 
 def _page(
-    study: Study, options: argparse.Namespace, say: Say, failures: Mapping[str, str] | None = None
+    study: Study,
+    options: argparse.Namespace,
+    say: Say,
+    failures: Mapping[str, str] | None = None,
+    tolerances: Mapping[str, Any] | None = None,
 ) -> Path:
     """Write the web page of a study."""
     title = console.readable(Path(options.study).stem).capitalize()
     language = chosen_language(options.language, os.environ)
-    return write_page(study, StudyFolder(options.out), title, failures, language, say)
+    return write_page(study, StudyFolder(options.out), title, failures, language, say, tolerances)
 
 
 def _runner(options: argparse.Namespace, settings: dict[str, Any]) -> Runner:

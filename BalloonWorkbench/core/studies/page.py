@@ -21,6 +21,8 @@ from BalloonWorkbench.core.studies.study import Study
 from BalloonWorkbench.core.studies.table import FAILURE, KEY, TableRow, headings, table_rows
 from BalloonWorkbench.core.types import Say, in_english
 from BalloonWorkbench.core.units import to_grams, to_mm
+from BalloonWorkbench.core.web_pages.charts import Bar, tornado_chart
+from BalloonWorkbench.core.web_pages.page import Markup
 from BalloonWorkbench.core.web_pages.study_page import (
     CHOSEN,
     PLAIN,
@@ -56,10 +58,12 @@ def write_page(
     failures: Mapping[str, str] | None = None,
     language: str = "en",
     say: Say = in_english,
+    tolerances: Mapping[str, Any] | None = None,
 ) -> Path:
     """Write study.html into the folder of a study, over a former one; returns its path. Raises ExportError.
 
-    title, language: of the page; failures: as for `table_rows`
+    title, language: of the page; failures: as for `table_rows`; tolerances: what `tolerance_summary` says,
+    for charts of what matters most
     """
     rows = [*islice(table_rows(study, folder, failures), _MOST_READ)]
     options = [name for name in study.columns if name not in study.own]
@@ -73,9 +77,24 @@ def write_page(
     for row in rows:
         if len(pictures) < _MOST_PICTURES and not row[FAILURE]:
             pictures |= _picture(folder, row[KEY])
-    subject = StudyPage(title, made, rows, _SHOWN, pictures, count=len(study.rows))
+    charts = [] if tolerances is None else tornado_charts(tolerances, say)
+    subject = StudyPage(title, made, rows, _SHOWN, pictures, charts=charts, count=len(study.rows))
     write_files(folder.place, {PAGE: study_page(subject, language, say)})
     return folder.place / PAGE
+
+
+def tornado_charts(data: Mapping[str, Any], say: Say = in_english) -> list[Markup]:
+    """A chart of each measure of a tolerance study: what each source of errors makes of it by itself."""
+    return [
+        tornado_chart(
+            say(f"{say(measure['title'])}: what changes it most"),
+            key.replace("_", " "),
+            measure["nominal"],
+            [Bar(say(bar["title"]), bar["low"], bar["high"]) for bar in measure["tornado"]],
+        )
+        for key, measure in data["measures"].items()
+        if measure["tornado"] and measure["nominal"] is not None
+    ]
 
 
 def _column(name: str, rows: list[TableRow], result: bool, *, chosen: bool) -> StudyColumn:

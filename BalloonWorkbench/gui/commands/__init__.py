@@ -14,7 +14,7 @@ from BalloonWorkbench.gui.commands.create import (
 )
 from BalloonWorkbench.gui.commands.equipment import Equipment
 from BalloonWorkbench.gui.commands.making import ArtworkCommand, AssemblySheet, ExportPattern, Nest
-from BalloonWorkbench.gui.commands.results import AdviceCommand, Animate, ColourMapCommand, Study
+from BalloonWorkbench.gui.commands.results import AdviceCommand, Animate, ColourMapCommand, StudyCommand
 
 _COMMANDS = {
     "BalloonWorkbench_Paint": Paint,
@@ -26,7 +26,7 @@ _COMMANDS = {
     "BalloonWorkbench_Advice": AdviceCommand,
     "BalloonWorkbench_ColourMap": ColourMapCommand,
     "BalloonWorkbench_Animate": Animate,
-    "BalloonWorkbench_Study": Study,
+    "BalloonWorkbench_Study": StudyCommand,
     "BalloonWorkbench_Artwork": ArtworkCommand,
     "BalloonWorkbench_Nest": Nest,
     "BalloonWorkbench_ExportPattern": ExportPattern,

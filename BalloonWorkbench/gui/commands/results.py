@@ -70,7 +70,7 @@ class Animate(ResultCommand):
         show(AnimationPanel(solved_parts()))
 
 
-class Study(ResultCommand):
+class StudyCommand(ResultCommand):
     """Opens the selected study; makes one of the selected balloon where there is none."""
 
     drawing = "study"
@@ -81,8 +81,8 @@ class Study(ResultCommand):
     )
 
     def Activated(self):
-        from BalloonWorkbench.app import study
         from BalloonWorkbench.app.document.kinds import is_study
+        from BalloonWorkbench.app.studies import study
         from BalloonWorkbench.app.studies.varied import SHEET, VARIABLES
         from BalloonWorkbench.gui.panels import show
         from BalloonWorkbench.gui.panels.results.study import StudyPanel

@@ -8,9 +8,9 @@ import FreeCAD as App
 import pytest
 
 import BalloonWorkbench
-from BalloonWorkbench.app import study as studies
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document.parts import parts_of
+from BalloonWorkbench.app.studies import study as studies
 from BalloonWorkbench.app.studies import study_table
 from BalloonWorkbench.core.errors import Cancelled, InputError
 from BalloonWorkbench.core.studies.run import run_study

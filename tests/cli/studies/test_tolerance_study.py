@@ -17,6 +17,7 @@ from BalloonWorkbench.core.errors import BalloonError, InputError
 from BalloonWorkbench.core.studies.folder import StudyFolder
 from BalloonWorkbench.core.studies.job import Finished, Job
 from BalloonWorkbench.core.studies.kinds.tolerance_study import FILE, tolerance_summary, write_summary
+from BalloonWorkbench.core.studies.page import write_page
 from BalloonWorkbench.core.studies.read_study import read_goal_study, study_of
 from BalloonWorkbench.core.studies.run import run_study
 from BalloonWorkbench.core.studies.study import Study
@@ -70,13 +71,17 @@ def test_samples_are_rows_and_the_summary_says_what_they_mean(tmp_path: Path) ->
     assert high / nominal == pytest.approx((150.9 / 150.0) ** 3, rel=1e-3)
     assert low / nominal == pytest.approx((149.1 / 150.0) ** 3, rel=1e-3)
     assert rows["nominal"]["pressure_Pa"] == "500"
-    path, lines = write_summary(study, StudyFolder(out))
+    told = tolerance_summary(study, StudyFolder(out))
+    path, lines = write_summary(StudyFolder(out), told)
     data = json.loads(path.read_text())
     volume = data["measures"]["volume_m3"]
     assert volume["tornado"][0]["source"] == "weld"
     assert volume["nominal"] == pytest.approx(nominal)
     assert (data["samples"], data["seed"], path.name) == (2, 1, FILE)
     assert any("nobody can say" in line for line in lines)
+    page = write_page(study, StudyFolder(out), "Disc", tolerances=told).read_text(encoding="utf-8")
+    assert "Volume: what changes it most" in page
+    assert page.count("<title>weld") >= 2, "a bar for each end"
 
 
 def test_what_is_there_is_not_made_again_and_more_samples_are_added(tmp_path: Path) -> None:

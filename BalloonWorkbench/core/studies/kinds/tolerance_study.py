@@ -97,9 +97,8 @@ def _flat(report: Mapping[str, Any]) -> dict[str, Any]:
     return results_of(report) | means
 
 
-def write_summary(study: Study, folder: StudyFolder) -> tuple[Path, list[str]]:
-    """Write tolerances.json; its path, and lines for people. Raises ExportError."""
-    data = tolerance_summary(study, folder)
+def write_summary(folder: StudyFolder, data: Mapping[str, Any]) -> tuple[Path, list[str]]:
+    """Write what `tolerance_summary` says to tolerances.json; its path, and lines for people. ExportError."""
     text = json.dumps(data, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
     write_files(folder.place, {FILE: text.encode()})
     return folder.place / FILE, summary_lines(data)

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from BalloonWorkbench.app import study as studies
+from BalloonWorkbench.app.studies import study as studies
 from BalloonWorkbench.app.studies import study_table
 from BalloonWorkbench.app.studies.variant import MESH
 from BalloonWorkbench.core.errors import BalloonError, Cancelled
@@ -36,7 +36,7 @@ def show_panel(obj) -> None:
 
 
 @dataclass(frozen=True)
-class _Run:
+class _StudyRun:
     """What a worker is asked: to work out the rows of a study that are not there yet."""
 
     study: Any
@@ -69,7 +69,7 @@ class StudyPanel(ObjectPanel):
         self._progress = ""
         self.table: study_table.Table | None = None
         self.jobs: dict[int, Any] = {}
-        self.found: dict[int, dict] = {}
+        self.row_results: dict[int, dict] = {}
         self.column, self.across, self.up = (QtWidgets.QComboBox() for _ in range(3))
         self.first, self.last = QtWidgets.QLineEdit(), QtWidgets.QLineEdit()
         self.steps, self.make_rows = QtWidgets.QSpinBox(), QtWidgets.QPushButton(translate("Make rows"))
@@ -144,7 +144,7 @@ class StudyPanel(ObjectPanel):
             self.message.setText(translated(str(error)))
             return False
         self.start.setEnabled(True)
-        self.found = {}
+        self.row_results = {}
         self._offer_columns()
         self.refresh()
         return True
@@ -191,30 +191,34 @@ class StudyPanel(ObjectPanel):
         """Show what is known of each row; what was known before is not read again."""
         if self.table is None:
             return
-        missing = {number: values for number, values in self.table.rows.items() if not self.found.get(number)}
-        self.found |= studies.known(self.table._replace(rows=missing), self.jobs, studies.folder(self.obj))
+        missing = {
+            number: values for number, values in self.table.rows.items() if not self.row_results.get(number)
+        }
+        self.row_results |= studies.known(
+            self.table._replace(rows=missing), self.jobs, studies.folder(self.obj)
+        )
         inputs, results = list(self.table.inputs.values()), self._results()
         self.rows.setColumnCount(len(inputs) + len(results))
         self.rows.setHorizontalHeaderLabels([each.heading for each in inputs] + results)
         self.rows.setRowCount(len(self.table.rows))
         self.rows.setVerticalHeaderLabels(list(map(str, self.table.rows)))
         for place, number in enumerate(self.table.rows):
-            found = self.found.get(number, {})
-            given = [self._given(letters, number) for letters in self.table.inputs]
-            cells = [*given, *(_text(found.get(name)) for name in results)]
+            row_results = self.row_results.get(number, {})
+            texts = [self._input_text(letters, number) for letters in self.table.inputs]
+            cells = [*texts, *(_text(row_results.get(name)) for name in results)]
             for column, text in enumerate(cells):
                 item = QtWidgets.QTableWidgetItem(text)
-                item.setToolTip(translated(str(found.get(FAILURE) or "")))
+                item.setToolTip(translated(str(row_results.get(FAILURE) or "")))
                 self.rows.setItem(place, column, item)
         self._say_counts()
         self._show_plot()
 
-    def _given(self, letters: str, number: int) -> str:
+    def _input_text(self, letters: str, number: int) -> str:
         return str(self.obj.Table.getContents(f"{letters}{number}")).lstrip("='")
 
     def _say_counts(self) -> None:
-        failures = [str(each[FAILURE]) for each in self.found.values() if each.get(FAILURE)]
-        done = sum(bool(each) for each in self.found.values())
+        failures = [str(each[FAILURE]) for each in self.row_results.values() if each.get(FAILURE)]
+        done = sum(bool(each) for each in self.row_results.values())
         text = translate("{} of {} rows are worked out.").format(done, len(self.table.rows))
         if failures:
             text += " " + translate("{} of them cannot be made:").format(len(failures))
@@ -232,7 +236,7 @@ class StudyPanel(ObjectPanel):
     def _numbers(self, name: str) -> dict[int, float]:
         """The numbers of a column by row."""
         if name in self.table.results.values():
-            values = {row: found.get(name) for row, found in self.found.items()}
+            values = {row: row_results.get(name) for row, row_results in self.row_results.items()}
         else:
             key = next((each.key for each in self.table.inputs.values() if each.heading == name), "")
             values = {row: own.get(key) for row, own in self.table.rows.items() if isinstance(own, dict)}
@@ -258,7 +262,7 @@ class StudyPanel(ObjectPanel):
             return
         try:
             study = studies.core_study(self.obj, self.table)
-            request = _Run(study, studies.folder(self.obj), studies.runner(self.obj))
+            request = _StudyRun(study, studies.folder(self.obj), studies.runner(self.obj))
         except BalloonError as error:
             self.message.setText(translated(str(error)))
             return
@@ -289,7 +293,7 @@ class StudyPanel(ObjectPanel):
     def _keep(self) -> None:
         """Write the results into the spreadsheet."""
         if self.table is not None:
-            studies.keep_results(self.obj, self.table, self.found)
+            studies.keep_results(self.obj, self.table, self.row_results)
             self.obj.Table.recompute()
 
     def show_row(self, place: int) -> None:

@@ -123,15 +123,15 @@ def jobs_of(table: study_table.Table, study: Study) -> dict[int, Job]:
 
 def known(table: study_table.Table, jobs: dict[int, Job], place: Path) -> dict[int, dict]:
     """What is known of each row: results by name, empty while there are none, or the failure."""
-    kept, found = StudyFolder(place), {}
+    kept, row_results = StudyFolder(place), {}
     for number, values in table.rows.items():
         if isinstance(values, str):
-            found[number] = {FAILURE: values}
+            row_results[number] = {FAILURE: values}
             continue
         report = kept.report(jobs[number].key)
         failure = "" if report else kept.failure(jobs[number].key)
-        found[number] = results_of(report) if report else {FAILURE: failure} if failure else {}
-    return found
+        row_results[number] = results_of(report) if report else {FAILURE: failure} if failure else {}
+    return row_results
 
 
 def work_out(study: Study, obj, observe=lambda _done, _of, _last: None) -> None:
@@ -148,13 +148,13 @@ def runner(obj, is_stopped=lambda: False):
     return Subprocesses(obj.Jobs, packages=tuple(filter(None, sys.path)), is_stopped=is_stopped)
 
 
-def keep_results(obj, table: study_table.Table, found: dict[int, dict]) -> None:
+def keep_results(obj, table: study_table.Table, row_results: dict[int, dict]) -> None:
     """Write what is known into the spreadsheet, and the counts into the object."""
-    study_table.write_results(obj.Table, table, found)
+    study_table.write_results(obj.Table, table, row_results)
     with results(obj) as output:
         output.Rows = len(table.rows)
-        output.Finished = sum(bool(values) for values in found.values())
-        output.Failed = sum(bool(values.get(FAILURE)) for values in found.values())
+        output.Finished = sum(bool(values) for values in row_results.values())
+        output.Failed = sum(bool(values.get(FAILURE)) for values in row_results.values())
 
 
 def take_row(obj, table: study_table.Table, number: int) -> None:
