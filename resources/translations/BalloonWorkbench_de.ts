@@ -3243,6 +3243,10 @@
         <translation>Nichts zu verbessern.</translation>
     </message>
     <message>
+        <source>Nothing varies in {0}: write into its first row what does, such as Width.</source>
+        <translation>In {0} wird nichts verändert: in die erste Zeile schreiben, was verändert wird, etwa Width.</translation>
+    </message>
+    <message>
         <source>Nothing varies: give "{0}" a column.</source>
         <translation>Nichts wird verändert: „{0}“ eine Spalte geben.</translation>
     </message>
@@ -7543,10 +7547,6 @@
         <translation>{0} winzige Löcher wurden gefüllt.</translation>
     </message>
     <message>
-        <source>{0} varies nothing: write into its first row what, such as Width.</source>
-        <translation>{0} verändert nichts: in die erste Zeile schreiben, was verändert wird, etwa Width.</translation>
-    </message>
-    <message>
         <source>{0} was left out. {1}</source>
         <translation>{0} wurde weggelassen. {1}</translation>
     </message>
@@ -7589,6 +7589,10 @@
     <message>
         <source>{0}: turn the pattern by 90 degrees there.</source>
         <translation>{0}: das Schnittmuster dort um 90 Grad drehen.</translation>
+    </message>
+    <message>
+        <source>{0}: what changes it most</source>
+        <translation>{0}: was am meisten ausmacht</translation>
     </message>
     <message>
         <source>{0}; wider than the usual roll</source>

@@ -3243,6 +3243,10 @@
         <translation>Nada que mejorar.</translation>
     </message>
     <message>
+        <source>Nothing varies in {0}: write into its first row what does, such as Width.</source>
+        <translation>Nada varía en {0}: escriba en su primera fila qué se varía, por ejemplo Width.</translation>
+    </message>
+    <message>
         <source>Nothing varies: give "{0}" a column.</source>
         <translation>Nada varía: dé una columna a «{0}».</translation>
     </message>
@@ -7543,10 +7547,6 @@
         <translation>Se rellenaron {0} agujeros diminutos.</translation>
     </message>
     <message>
-        <source>{0} varies nothing: write into its first row what, such as Width.</source>
-        <translation>{0} no varía nada: escriba en su primera fila qué se varía, por ejemplo Width.</translation>
-    </message>
-    <message>
         <source>{0} was left out. {1}</source>
         <translation>{0} (omitido). {1}</translation>
     </message>
@@ -7589,6 +7589,10 @@
     <message>
         <source>{0}: turn the pattern by 90 degrees there.</source>
         <translation>{0}: gire ahí el patrón 90 grados.</translation>
+    </message>
+    <message>
+        <source>{0}: what changes it most</source>
+        <translation>{0}: lo que más influye</translation>
     </message>
     <message>
         <source>{0}; wider than the usual roll</source>

@@ -3243,6 +3243,10 @@
         <translation>Rien à améliorer.</translation>
     </message>
     <message>
+        <source>Nothing varies in {0}: write into its first row what does, such as Width.</source>
+        <translation>Rien ne varie dans {0} : écrivez dans sa première ligne ce qui varie, par exemple Width.</translation>
+    </message>
+    <message>
         <source>Nothing varies: give "{0}" a column.</source>
         <translation>Rien ne varie : donnez une colonne à « {0} ».</translation>
     </message>
@@ -7543,10 +7547,6 @@
         <translation>{0} trous minuscules ont été remplis.</translation>
     </message>
     <message>
-        <source>{0} varies nothing: write into its first row what, such as Width.</source>
-        <translation>{0} ne fait rien varier : écrivez dans sa première ligne ce qui varie, par exemple Width.</translation>
-    </message>
-    <message>
         <source>{0} was left out. {1}</source>
         <translation>{0} a été omis. {1}</translation>
     </message>
@@ -7589,6 +7589,10 @@
     <message>
         <source>{0}: turn the pattern by 90 degrees there.</source>
         <translation>{0} : tournez-y le patron de 90 degrés.</translation>
+    </message>
+    <message>
+        <source>{0}: what changes it most</source>
+        <translation>{0} : ce qui compte le plus</translation>
     </message>
     <message>
         <source>{0}; wider than the usual roll</source>

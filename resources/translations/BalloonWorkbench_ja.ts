@@ -3243,6 +3243,10 @@
         <translation>直すところはありません。</translation>
     </message>
     <message>
+        <source>Nothing varies in {0}: write into its first row what does, such as Width.</source>
+        <translation>{0} では何も変わりません。1 行目に、変えるものを Width のように書いてください。</translation>
+    </message>
+    <message>
         <source>Nothing varies: give "{0}" a column.</source>
         <translation>変わるものがありません。「{0}」に列を指定してください。</translation>
     </message>
@@ -7543,10 +7547,6 @@
         <translation>ごく小さな穴を {0} 個ふさぎました。</translation>
     </message>
     <message>
-        <source>{0} varies nothing: write into its first row what, such as Width.</source>
-        <translation>{0} では何も変わりません。1 行目に、変えるものを Width のように書いてください。</translation>
-    </message>
-    <message>
         <source>{0} was left out. {1}</source>
         <translation>{0} を省きました。{1}</translation>
     </message>
@@ -7589,6 +7589,10 @@
     <message>
         <source>{0}: turn the pattern by 90 degrees there.</source>
         <translation>{0}。そこで型紙を 90 度回してください。</translation>
+    </message>
+    <message>
+        <source>{0}: what changes it most</source>
+        <translation>{0}：最も影響の大きいもの</translation>
     </message>
     <message>
         <source>{0}; wider than the usual roll</source>

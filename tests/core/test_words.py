@@ -39,6 +39,7 @@ FOR_PROGRAMS = (
         "app/engine/solve.py",
         "app/properties/values.py",
         "app/film_sheet.py",
+        "app/studies/study_table.py",
         "app/properties/material.py",
     ),
 )
