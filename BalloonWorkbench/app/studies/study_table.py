@@ -50,7 +50,9 @@ def read_table(sheet, parts) -> Table:
         letters: varied(text, parts, sheet) for letters, text in headings.items() if letters not in results
     }
     if not inputs:
-        raise InputError(f"Nothing varies in {sheet.Label}: write into its first row what does, such as Width.")
+        raise InputError(
+            f"Nothing varies in {sheet.Label}: write into its first row what does, such as Width."
+        )
     keys = [each.key for each in inputs.values()]
     twice = next((each for each in inputs.values() if keys.count(each.key) > 1), None)
     if twice is not None:

@@ -114,7 +114,7 @@ def test_a_row_that_makes_no_sense_is_told(parts, tmp_path, heading, cell, sente
 @pytest.mark.parametrize(
     ("columns", "sentence"),
     [
-        ({"Widht": ["1 mm"]}, "the nearest are"),
+        ({"Widh": ["1 mm"]}, "the nearest are"),
         ({"Volume": ["1 l"]}, "nothing that is called"),
         ({"Width": ["1 mm"], "width": ["2 mm"]}, "two columns"),
         ({"Drawing": ["a.png"]}, "cannot be varied"),

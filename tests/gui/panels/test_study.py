@@ -138,7 +138,7 @@ def test_mistakes_are_sentences(study):
     hands.type_into(hands.find("StudyFirst"), "3 mm", confirm=False)
     hands.click(hands.find("StudyMakeRows"))
     assert "another unit" in hands.find("StudyMessage").text()
-    study.Table.set("A1", "Presure")
+    study.Table.set("A1", "Pressur")
     study.Table.recompute()
     hands.click(hands.find("StudyStart"))
     assert "nearest" in hands.find("StudyMessage").text()
