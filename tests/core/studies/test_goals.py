@@ -16,9 +16,11 @@ import pytest
 from BalloonWorkbench.core.errors import BalloonError, ExportError, InputError
 from BalloonWorkbench.core.studies.folder import StudyFolder
 from BalloonWorkbench.core.studies.job import Finished, Job
-from BalloonWorkbench.core.studies.kinds.goal import read_goal
+from BalloonWorkbench.core.studies.kinds.goal import COBYLA, OPTUNA, read_goal
 from BalloonWorkbench.core.studies.kinds.goal_study import GoalStudy, goal_lines, goal_study, run_goal
-from BalloonWorkbench.core.studies.kinds.search import MOST_TRIALS, search
+from BalloonWorkbench.core.studies.kinds.search import MOST_TRIALS, best, search
+from BalloonWorkbench.core.studies.study import Row
+from BalloonWorkbench.core.units import parse_length
 
 WEIGHT = {"mylar": 0.035, "pe": 0.05, "pvc": 0.4}  # kg/m2
 PRICE = {"mylar": 1.5, "pe": 0.2, "pvc": 6.0}
@@ -103,6 +105,26 @@ def test_the_cheapest_balloon_that_carries_a_lift(tmp_path: Path) -> None:
     assert goal_lines(study, sought)[0].startswith(
         f"Best of {len(sought.trials)} balloons: material pe, width 7"
     )
+
+
+def test_samples_find_the_deepest_valley() -> None:
+    """Downhill from the middle ends in the near one; the same samples come each time."""
+    pytest.importorskip("optuna")
+    over = {"over": {"width": ["1 m", "2 m"]}}
+
+    def price(values: Row) -> dict[str, float]:
+        width = parse_length(str(values["width"]))
+        return {"film_cost": min((width - 1.55) ** 2 + 0.1, 25.0 * (width - 1.08) ** 2)}
+
+    ways = {
+        way: read_goal({"minimize": "film_cost", **over, "search": way}, Path()) for way in (COBYLA, OPTUNA)
+    }
+    trials = {way: search(goal, {}, price) for way, goal in ways.items()}
+    found = {way: best(goal, trials[way]) for way, goal in ways.items()}
+    widths = {way: parse_length(str(top.values["width"])) for way, top in found.items() if top is not None}
+    assert widths[COBYLA] == pytest.approx(1.55, abs=0.01)
+    assert widths[OPTUNA] == pytest.approx(1.08, abs=0.05)
+    assert search(ways[OPTUNA], {}, price) == trials[OPTUNA]
 
 
 def test_every_balloon_is_a_row_and_none_is_made_twice(tmp_path: Path) -> None:
@@ -230,6 +252,7 @@ def test_a_search_asks_for_the_same_balloons_each_time() -> None:
         ({"over": {"width": ["1m", "2m"]}}, "one of minimize"),
         ({**CHEAPEST, "maximize": "volume"}, "one of minimize"),
         ({**CHEAPEST, "colour": 1}, "no 'colour'"),
+        ({**CHEAPEST, "search": "luck"}, "no way to search"),
         ({**CHEAPEST, "minimize": "price"}, "no result 'price'"),
         ({"reach": "lift", "over": {"width": ["1m", "2m"]}}, "one result and its value"),
         ({"reach": {"lift": "2 kPa"}, "over": {"width": ["1m", "2m"]}}, "no(t a mass| value for lift_g)"),

@@ -28,6 +28,8 @@ from BalloonWorkbench.core.units import (
 )
 
 MINIMIZE, MAXIMIZE, REACH, OVER, LIMITS = "minimize", "maximize", "reach", "over", "limits"
+#: How the best is searched for: downhill from the middle of the ranges, or by samples of all of them.
+SEARCH, COBYLA, OPTUNA = "search", "cobyla", "optuna"
 MOST_CHOICES = 200
 _SENSES = (MINIMIZE, MAXIMIZE, REACH)
 _LIKE = '{"minimize": "film_cost", "over": {"width": ["100mm", "400mm"]}, "limits": {"lift": ">= 20 g"}}'
@@ -68,6 +70,7 @@ class Goal:
     sense    MINIMIZE, MAXIMIZE or REACH a result: `column`; `aim` is what is to be reached
     choices  all combinations of what is listed, each tried by itself
     ranges   what may have any value between two ends, by column
+    search   COBYLA or OPTUNA
     """
 
     sense: str
@@ -76,6 +79,7 @@ class Goal:
     choices: tuple[Row, ...]
     ranges: Mapping[str, Between]
     limits: tuple[GoalLimit, ...]
+    search: str = COBYLA
 
     def cost(self, results: Mapping[str, Any]) -> float:
         """Smaller is better; infinite where there is no value."""
@@ -96,9 +100,10 @@ def read_goal(data: Any, folder: Path) -> Goal:
     """The goal that JSON declares; folder: from which files are looked for. Raises InputError."""
     if not isinstance(data, Mapping):
         raise InputError(f"The goal is no JSON object: write {_LIKE}.")
-    if strange := [str(name) for name in data if name not in (*_SENSES, OVER, LIMITS)]:
+    if strange := [str(name) for name in data if name not in (*_SENSES, OVER, LIMITS, SEARCH)]:
         raise InputError(
-            f"A goal has no '{strange[0]}': it has one of {', '.join(_SENSES)}, and {OVER} and {LIMITS}."
+            f"A goal has no '{strange[0]}': it has one of {', '.join(_SENSES)}, and {OVER}, {LIMITS} and"
+            f" {SEARCH}."
         )
     senses = [sense for sense in _SENSES if sense in data]
     if len(senses) != 1:
@@ -111,7 +116,10 @@ def read_goal(data: Any, folder: Path) -> Goal:
         aim = _number(result_named(asked), value)
     column = result_named(asked)
     choices, ranges = _choices(data.get(OVER), folder)
-    return Goal(sense, column, aim, choices, ranges, _limits(data.get(LIMITS, {})))
+    way = data.get(SEARCH, COBYLA)
+    if way not in (COBYLA, OPTUNA):
+        raise InputError(f"'{way}' is no way to search: write {COBYLA} or {OPTUNA}.")
+    return Goal(sense, column, aim, choices, ranges, _limits(data.get(LIMITS, {})), way)
 
 
 def result_named(text: Any) -> str:

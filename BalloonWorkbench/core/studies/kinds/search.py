@@ -3,11 +3,14 @@
 
 What may have any value between two ends goes through COBYLA (Powell, A direct search optimization method that
 models the objective and constraint functions by linear interpolation, 1994): it takes no derivatives, which
-the noise of meshes would spoil, keeps to limits, and asks for the same balloons each time.
+the noise of meshes would spoil, keeps to limits, and asks for the same balloons each time. It finds the best
+around where it began; of several valleys optuna's tree-structured Parzen estimators (Bergstra et al., 2011)
+find the deepest more often, with more balloons.
 """
 
 from __future__ import annotations
 
+import importlib
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -15,8 +18,9 @@ from typing import Any
 
 import numpy as np
 
+from BalloonWorkbench.core.errors import MissingPackageError
 from BalloonWorkbench.core.packages import without_scipy
-from BalloonWorkbench.core.studies.kinds.goal import Goal
+from BalloonWorkbench.core.studies.kinds.goal import OPTUNA, Goal
 from BalloonWorkbench.core.studies.study import Row
 from BalloonWorkbench.core.types import Floats
 
@@ -61,11 +65,39 @@ def search(goal: Goal, choice: Row, evaluate: Evaluate) -> list[Trial]:
             tried[at] = Trial(values, evaluate(values), tuple(step / _GRID for step in at))
         return tried[at].results or {}
 
+    if goal.search == OPTUNA and goal.ranges:
+        _sample(goal, results_at)
+        return list(tried.values())
     start = np.full(len(goal.ranges), 0.5)
     first = goal.cost(results_at(start))
     if len(start):
         _minimize(goal, results_at, start, abs(first) if 0.0 < abs(first) < math.inf else 1.0)
     return list(tried.values())
+
+
+def _sample(goal: Goal, results_at: Callable[[Floats], Mapping[str, Any]]) -> None:
+    """The same samples each time, as many as the other search may take. Raises MissingPackageError."""
+    try:
+        optuna: Any = importlib.import_module("optuna")
+    except ImportError as error:
+        raise MissingPackageError(
+            "The search with optuna needs its package: install it with pip install optuna, or leave out"
+            ' "search".'
+        ) from error
+
+    def cost(trial: Any) -> float:
+        results = results_at(np.array([trial.suggest_float(name, 0.0, 1.0) for name in goal.ranges]))
+        for limit in goal.limits:
+            lack = limit.lack(results)
+            trial.set_constraint(limit.text, lack + _INSIDE if math.isfinite(lack) else _FAILED)
+        value = goal.cost(results)
+        if not math.isfinite(value):
+            raise optuna.TrialPruned
+        return value
+
+    optuna.logging.set_verbosity(optuna.logging.WARNING)
+    study = optuna.create_study(sampler=optuna.samplers.TPESampler(seed=0))
+    study.optimize(cost, n_trials=MOST_TRIALS)
 
 
 def _minimize(
