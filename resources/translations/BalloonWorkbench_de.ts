@@ -1231,6 +1231,10 @@
         <translation>„{0}“ ist kein Wert für {1}: eine Zahl ohne Einheit schreiben.</translation>
     </message>
     <message>
+        <source>'{0}' is no way to search: write {1} or {2}.</source>
+        <translation>„{0}“ ist keine Art zu suchen: {1} oder {2} schreiben.</translation>
+    </message>
+    <message>
         <source>'{0}' is no way to take samples: write {1} or {2}.</source>
         <translation>„{0}“ ist keine Art, Stichproben zu nehmen: {1} oder {2} schreiben.</translation>
     </message>
@@ -1367,8 +1371,8 @@
         <translation>Eine Datei mit diesem Namen gibt es schon</translation>
     </message>
     <message>
-        <source>A goal has no '{0}': it has one of {1}, and {2} and {3}.</source>
-        <translation>Ein Ziel hat kein „{0}“: Es hat eines von {1} sowie {2} und {3}.</translation>
+        <source>A goal has no '{0}': it has one of {1}, and {2}, {3} and {4}.</source>
+        <translation>Ein Ziel hat kein „{0}“: Es hat eines von {1} sowie {2}, {3} und {4}.</translation>
     </message>
     <message>
         <source>A goal has one of {0}: write {1}.</source>
@@ -5389,6 +5393,10 @@
     <message>
         <source>The search was stopped; what was made stays.</source>
         <translation>Die Suche wurde angehalten; was fertig ist, bleibt.</translation>
+    </message>
+    <message>
+        <source>The search with optuna needs its package: install it with pip install optuna, or leave out "search".</source>
+        <translation>Die Suche mit optuna braucht dessen Paket: mit pip install optuna installieren oder "search" weglassen.</translation>
     </message>
     <message>
         <source>The seed is a whole number from 0 up, not {0}.</source>

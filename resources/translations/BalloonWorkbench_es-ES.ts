@@ -1231,6 +1231,10 @@
         <translation>«{0}» no es un valor para {1}: escriba un número sin unidad.</translation>
     </message>
     <message>
+        <source>'{0}' is no way to search: write {1} or {2}.</source>
+        <translation>«{0}» no es una forma de buscar: escriba {1} o {2}.</translation>
+    </message>
+    <message>
         <source>'{0}' is no way to take samples: write {1} or {2}.</source>
         <translation>«{0}» no es una forma de tomar muestras: escriba {1} o {2}.</translation>
     </message>
@@ -1367,8 +1371,8 @@
         <translation>Ya hay un archivo con este nombre</translation>
     </message>
     <message>
-        <source>A goal has no '{0}': it has one of {1}, and {2} and {3}.</source>
-        <translation>Un objetivo no tiene «{0}»: tiene uno de {1}, y {2} y {3}.</translation>
+        <source>A goal has no '{0}': it has one of {1}, and {2}, {3} and {4}.</source>
+        <translation>Un objetivo no tiene «{0}»: tiene uno de {1}, y {2}, {3} y {4}.</translation>
     </message>
     <message>
         <source>A goal has one of {0}: write {1}.</source>
@@ -5389,6 +5393,10 @@
     <message>
         <source>The search was stopped; what was made stays.</source>
         <translation>La búsqueda se detuvo; lo ya hecho queda.</translation>
+    </message>
+    <message>
+        <source>The search with optuna needs its package: install it with pip install optuna, or leave out "search".</source>
+        <translation>La búsqueda con optuna necesita su paquete: instálelo con pip install optuna u omita "search".</translation>
     </message>
     <message>
         <source>The seed is a whole number from 0 up, not {0}.</source>

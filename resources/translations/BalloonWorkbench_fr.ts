@@ -1231,6 +1231,10 @@
         <translation>« {0} » n'est pas une valeur pour {1} : écrivez un nombre sans unité.</translation>
     </message>
     <message>
+        <source>'{0}' is no way to search: write {1} or {2}.</source>
+        <translation>« {0} » n'est pas une façon de chercher : écrivez {1} ou {2}.</translation>
+    </message>
+    <message>
         <source>'{0}' is no way to take samples: write {1} or {2}.</source>
         <translation>« {0} » n'est pas une façon de tirer des échantillons : écrivez {1} ou {2}.</translation>
     </message>
@@ -1367,8 +1371,8 @@
         <translation>Un fichier de ce nom existe déjà</translation>
     </message>
     <message>
-        <source>A goal has no '{0}': it has one of {1}, and {2} and {3}.</source>
-        <translation>Un but n'a pas de « {0} » : il a l'un de {1}, ainsi que {2} et {3}.</translation>
+        <source>A goal has no '{0}': it has one of {1}, and {2}, {3} and {4}.</source>
+        <translation>Un but n'a pas de « {0} » : il a l'un de {1}, ainsi que {2}, {3} et {4}.</translation>
     </message>
     <message>
         <source>A goal has one of {0}: write {1}.</source>
@@ -5389,6 +5393,10 @@
     <message>
         <source>The search was stopped; what was made stays.</source>
         <translation>La recherche a été arrêtée ; ce qui a été fait reste.</translation>
+    </message>
+    <message>
+        <source>The search with optuna needs its package: install it with pip install optuna, or leave out "search".</source>
+        <translation>La recherche avec optuna demande son paquet : installez-le par pip install optuna, ou omettez "search".</translation>
     </message>
     <message>
         <source>The seed is a whole number from 0 up, not {0}.</source>

@@ -1231,6 +1231,10 @@
         <translation>「{0}」は {1} の値ではありません。単位のない数を書いてください。</translation>
     </message>
     <message>
+        <source>'{0}' is no way to search: write {1} or {2}.</source>
+        <translation>「{0}」という探索方法はありません。{1} か {2} と書いてください。</translation>
+    </message>
+    <message>
         <source>'{0}' is no way to take samples: write {1} or {2}.</source>
         <translation>「{0}」はサンプルの取り方ではありません。{1} か {2} と書いてください。</translation>
     </message>
@@ -1367,8 +1371,8 @@
         <translation>この名前のファイルはすでにあります</translation>
     </message>
     <message>
-        <source>A goal has no '{0}': it has one of {1}, and {2} and {3}.</source>
-        <translation>目標に「{0}」はありません。{1} のどれか一つと、{2} と {3} があります。</translation>
+        <source>A goal has no '{0}': it has one of {1}, and {2}, {3} and {4}.</source>
+        <translation>目標に「{0}」はありません。{1} のどれか一つと、{2}、{3}、{4} があります。</translation>
     </message>
     <message>
         <source>A goal has one of {0}: write {1}.</source>
@@ -5389,6 +5393,10 @@
     <message>
         <source>The search was stopped; what was made stays.</source>
         <translation>探索を中止しました。作ったものは残ります。</translation>
+    </message>
+    <message>
+        <source>The search with optuna needs its package: install it with pip install optuna, or leave out "search".</source>
+        <translation>optuna での探索にはそのパッケージが必要です。pip install optuna で入れるか、"search" を外してください。</translation>
     </message>
     <message>
         <source>The seed is a whole number from 0 up, not {0}.</source>

@@ -21,7 +21,7 @@ _KEYS = {
     "Advice": "B, A",
     "ColourMap": "B, M",
     "Animate": "B, V",
-    "Study": "B, S",
+    "Study": "B, T",
     "Artwork": "B, R",
     "Nest": "B, L",
     "ExportPattern": "B, E",
