@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from difflib import get_close_matches
 from typing import Any, NamedTuple
@@ -57,6 +58,8 @@ class Varied(NamedTuple):
         """What a cell of the table says, of what JSON can hold, in FreeCAD's own units. Raises InputError."""
         if self.obj.TypeId == SHEET:
             return _content(cell)
+        if isinstance(cell, str):
+            cell = " ".join(cell.split())  # FreeCAD's own errors have several lines
         if self.kind in _QUANTITIES:
             return self._quantity(cell)
         text = str(cell).strip()
@@ -69,11 +72,16 @@ class Varied(NamedTuple):
         return self._number(cell)
 
     def write(self, value) -> None:
-        """Give the document a value that `read` has given."""
+        """Give the document a value that `read` has given. Raises InputError for one that it does not take.
+
+        FreeCAD silently makes 0 of a negative length, and the end of a range of what lies beyond it.
+        """
         if self.obj.TypeId == SHEET:
             self.obj.set(self.obj.getCellFromAlias(self.name), value)
-        else:
-            setattr(self.obj, self.name, value)
+            return
+        setattr(self.obj, self.name, value)
+        if isinstance(value, (int, float)) and not math.isclose(self.present(), value, rel_tol=1e-6):
+            raise InputError(f"{self.name} of {self.obj.Label} cannot be {value:g}: take another value.")
 
     def _quantity(self, cell) -> float:
         unit = getattr(self.obj, self.name).Unit

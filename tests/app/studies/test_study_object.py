@@ -137,6 +137,23 @@ def test_a_failure_is_a_row_with_its_sentence(parts, tmp_path):
     assert (obj.Finished, obj.Failed) == (2, 1)
 
 
+@pytest.mark.parametrize(
+    ("heading", "value"), [("Width", "-200 mm"), ("WeldRigidity", "1e9"), ("Copies", "-3")]
+)
+def test_what_freecad_would_change_silently_is_told(parts, tmp_path, heading, value):
+    """It makes 0, which is the usual size, of a negative length."""
+    obj = study_of(parts, {heading: [value]}, tmp_path)
+    _, known = work_out(obj)
+    assert known[2]["failure"], known
+
+
+def test_errors_of_cells_are_one_line(parts, tmp_path):
+    obj = study_of(parts, {"Width": ["=1/0", "200 mm"]}, tmp_path)
+    table = studies.read(obj)
+    assert "division by zero" in table.rows[2]
+    assert "\n" not in table.rows[2]
+
+
 def test_named_cells_drive_a_sketch(parts, tmp_path):
     """What an expression follows cannot be varied itself; the named cell that it is made of can."""
     document = parts.balloon.Document
