@@ -7487,6 +7487,10 @@
         <translation>{0} ihrer Größe</translation>
     </message>
     <message>
+        <source>{0} of {1} cannot be {2}: take another value.</source>
+        <translation>{0} von {1} kann nicht {2} sein: nehmen Sie einen anderen Wert.</translation>
+    </message>
+    <message>
         <source>{0} of {1} follows the expression '{2}': vary what that is made of.</source>
         <translation>{0} von {1} folgt dem Ausdruck „{2}“: verändern, woraus dieser besteht.</translation>
     </message>

@@ -7487,6 +7487,10 @@
         <translation>un {0} de su tamaño</translation>
     </message>
     <message>
+        <source>{0} of {1} cannot be {2}: take another value.</source>
+        <translation>{0} de {1} no puede ser {2}: tome otro valor.</translation>
+    </message>
+    <message>
         <source>{0} of {1} follows the expression '{2}': vary what that is made of.</source>
         <translation>{0} de {1} sigue la expresión «{2}»: varíe aquello de lo que se compone.</translation>
     </message>

@@ -7487,6 +7487,10 @@
         <translation>{0} de sa taille</translation>
     </message>
     <message>
+        <source>{0} of {1} cannot be {2}: take another value.</source>
+        <translation>{0} de {1} ne peut pas être {2} : prenez une autre valeur.</translation>
+    </message>
+    <message>
         <source>{0} of {1} follows the expression '{2}': vary what that is made of.</source>
         <translation>{0} de {1} suit l'expression « {2} » : faites varier ce dont elle est faite.</translation>
     </message>

@@ -7487,6 +7487,10 @@
         <translation>大きさの {0}</translation>
     </message>
     <message>
+        <source>{0} of {1} cannot be {2}: take another value.</source>
+        <translation>{1} の {0} は {2} にできません: 別の値にしてください。</translation>
+    </message>
+    <message>
         <source>{0} of {1} follows the expression '{2}': vary what that is made of.</source>
         <translation>{1} の {0} は式「{2}」で決まります。式が参照する値を変えてください。</translation>
     </message>
