@@ -7488,7 +7488,7 @@
     </message>
     <message>
         <source>{0} of {1} cannot be {2}: take another value.</source>
-        <translation>{0} von {1} kann nicht {2} sein: nehmen Sie einen anderen Wert.</translation>
+        <translation>{0} von {1} kann nicht {2} sein: einen anderen Wert nehmen.</translation>
     </message>
     <message>
         <source>{0} of {1} follows the expression '{2}': vary what that is made of.</source>
