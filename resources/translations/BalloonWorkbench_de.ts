@@ -2407,16 +2407,16 @@
         <translation>FreeCAD brach {0} ab ({1}). {2}</translation>
     </message>
     <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
         <source>From the flat film to the balloon at rest</source>
         <translation>Von der flachen Folie bis zum Ballon in Ruhe</translation>
     </message>
     <message>
         <source>From this value, with its unit</source>
         <translation>Von diesem Wert, mit Einheit</translation>
-    </message>
-    <message>
-        <source>From, to, values</source>
-        <translation>Von, bis, Werte</translation>
     </message>
     <message>
         <source>Front</source>
@@ -5935,6 +5935,10 @@
         <translation>Spitze, die flach bleibt</translation>
     </message>
     <message>
+        <source>To</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
         <source>To this value, with its unit</source>
         <translation>Bis zu diesem Wert, mit Einheit</translation>
     </message>
@@ -6053,6 +6057,10 @@
     <message>
         <source>Used</source>
         <translation>Genutzt</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
     </message>
     <message>
         <source>Valve film</source>

@@ -2407,16 +2407,16 @@
         <translation>FreeCAD se detuvo al {0} ({1}). {2}</translation>
     </message>
     <message>
+        <source>From</source>
+        <translation>Desde</translation>
+    </message>
+    <message>
         <source>From the flat film to the balloon at rest</source>
         <translation>De la película plana al globo en reposo</translation>
     </message>
     <message>
         <source>From this value, with its unit</source>
         <translation>Desde este valor, con su unidad</translation>
-    </message>
-    <message>
-        <source>From, to, values</source>
-        <translation>Desde, hasta, valores</translation>
     </message>
     <message>
         <source>Front</source>
@@ -5935,6 +5935,10 @@
         <translation>Punta que queda plana</translation>
     </message>
     <message>
+        <source>To</source>
+        <translation>Hasta</translation>
+    </message>
+    <message>
         <source>To this value, with its unit</source>
         <translation>Hasta este valor, con su unidad</translation>
     </message>
@@ -6053,6 +6057,10 @@
     <message>
         <source>Used</source>
         <translation>Usado</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Valores</translation>
     </message>
     <message>
         <source>Valve film</source>

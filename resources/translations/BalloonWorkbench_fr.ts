@@ -2407,16 +2407,16 @@
         <translation>FreeCAD s'est arrêté pendant {0} ({1}). {2}</translation>
     </message>
     <message>
+        <source>From</source>
+        <translation>De</translation>
+    </message>
+    <message>
         <source>From the flat film to the balloon at rest</source>
         <translation>Du film plat au ballon au repos</translation>
     </message>
     <message>
         <source>From this value, with its unit</source>
         <translation>De cette valeur, avec son unité</translation>
-    </message>
-    <message>
-        <source>From, to, values</source>
-        <translation>De, à, valeurs</translation>
     </message>
     <message>
         <source>Front</source>
@@ -5935,6 +5935,10 @@
         <translation>Pointe qui reste plate</translation>
     </message>
     <message>
+        <source>To</source>
+        <translation>À</translation>
+    </message>
+    <message>
         <source>To this value, with its unit</source>
         <translation>À cette valeur, avec son unité</translation>
     </message>
@@ -6053,6 +6057,10 @@
     <message>
         <source>Used</source>
         <translation>Utilisé</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Valeurs</translation>
     </message>
     <message>
         <source>Valve film</source>

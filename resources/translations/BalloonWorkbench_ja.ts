@@ -2407,16 +2407,16 @@
         <translation>{0}中に FreeCAD が停止しました（{1}）。{2}</translation>
     </message>
     <message>
+        <source>From</source>
+        <translation>始め</translation>
+    </message>
+    <message>
         <source>From the flat film to the balloon at rest</source>
         <translation>平らなフィルムから、ふくらんで静止するまで</translation>
     </message>
     <message>
         <source>From this value, with its unit</source>
         <translation>この値から（単位付き）</translation>
-    </message>
-    <message>
-        <source>From, to, values</source>
-        <translation>始め、終わり、値の数</translation>
     </message>
     <message>
         <source>Front</source>
@@ -5935,6 +5935,10 @@
         <translation>平らなままの先端</translation>
     </message>
     <message>
+        <source>To</source>
+        <translation>終わり</translation>
+    </message>
+    <message>
         <source>To this value, with its unit</source>
         <translation>この値まで（単位付き）</translation>
     </message>
@@ -6053,6 +6057,10 @@
     <message>
         <source>Used</source>
         <translation>使用率</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>値の数</translation>
     </message>
     <message>
         <source>Valve film</source>

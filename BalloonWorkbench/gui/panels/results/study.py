@@ -100,19 +100,19 @@ class StudyPanel(ObjectPanel):
         self.make_rows.setToolTip(translate("Each row of the table once with each of these values"))
         self.rows.setMinimumHeight(_LOWEST)
         self.rows.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
+        self.rows.horizontalHeader().setSectionResizeMode(QtWidgets.QHeaderView.Stretch)
         self.rows.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
         self.rows.setToolTip(translate("Double-click a row to see its balloon"))
         self.take.setToolTip(translate("Give the document the values of the chosen row"))
         form = QtWidgets.QFormLayout(self.form)
         form.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
-        ends = QtWidgets.QHBoxLayout()
-        for widget in (self.first, self.last, self.steps):
-            ends.addWidget(widget)
         self.first.setToolTip(translate("From this value, with its unit"))
         self.last.setToolTip(translate("To this value, with its unit"))
         self.steps.setToolTip(translate("Number of values, both ends among them"))
         form.addRow(translate("Vary"), self.column)
-        form.addRow(translate("From, to, values"), ends)
+        form.addRow(translate("From"), self.first)
+        form.addRow(translate("To"), self.last)
+        form.addRow(translate("Values"), self.steps)
         form.addRow(self.make_rows)
         form.addRow(self.rows)
         form.addRow(self.start)
@@ -127,8 +127,8 @@ class StudyPanel(ObjectPanel):
         self.take.clicked.connect(lambda _checked=False: self.take_row())
         self.rows.cellDoubleClicked.connect(lambda row, _column: self.show_row(row))
         self.rows.itemSelectionChanged.connect(self._show_plot)
-        for choice in (self.across, self.up):
-            choice.currentIndexChanged.connect(lambda _index: self._show_plot())
+        self.across.currentIndexChanged.connect(lambda _index: self._show_plot())
+        self.up.currentIndexChanged.connect(lambda _index: self.refresh())
 
     # what the table asks for
 
@@ -162,6 +162,10 @@ class StudyPanel(ObjectPanel):
 
     def _results(self) -> list[str]:
         return [name for name in self.table.results.values() if name != FAILURE]
+
+    def _shown_results(self) -> list[str]:
+        """What the plot shows; the spreadsheet has all of them."""
+        return [name for name in self._results() if name == self.up.currentText()]
 
     def _offer_present(self) -> None:
         place = self.column.currentIndex()
@@ -197,7 +201,7 @@ class StudyPanel(ObjectPanel):
         self.row_results |= studies.known(
             self.table._replace(rows=missing), self.jobs, studies.folder(self.obj)
         )
-        inputs, results = list(self.table.inputs.values()), self._results()
+        inputs, results = list(self.table.inputs.values()), self._shown_results()
         self.rows.setColumnCount(len(inputs) + len(results))
         self.rows.setHorizontalHeaderLabels([each.heading for each in inputs] + results)
         self.rows.setRowCount(len(self.table.rows))
