@@ -12,6 +12,7 @@ import FreeCAD as App
 
 from BalloonWorkbench.app.document.kinds import leader
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.units import number_text
 
 SHEET, VARIABLES = "Spreadsheet::Sheet", "App::VarSet"
 _QUANTITIES = ("Length", "Distance", "Angle", "Pressure", "Volume", "Area")
@@ -81,7 +82,7 @@ class Varied(NamedTuple):
             return
         setattr(self.obj, self.name, value)
         if isinstance(value, (int, float)) and not math.isclose(self.present(), value, rel_tol=1e-6):
-            raise InputError(f"{self.name} of {self.obj.Label} cannot be {value:g}: take another value.")
+            raise InputError(f"{self.name} of {self.obj.Label} cannot be {number_text(value)}: take another value.")
 
     def _quantity(self, cell) -> float:
         unit = getattr(self.obj, self.name).Unit
