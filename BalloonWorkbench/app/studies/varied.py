@@ -82,7 +82,9 @@ class Varied(NamedTuple):
             return
         setattr(self.obj, self.name, value)
         if isinstance(value, (int, float)) and not math.isclose(self.present(), value, rel_tol=1e-6):
-            raise InputError(f"{self.name} of {self.obj.Label} cannot be {number_text(value)}: take another value.")
+            raise InputError(
+                f"{self.name} of {self.obj.Label} cannot be {number_text(value)}: take another value."
+            )
 
     def _quantity(self, cell) -> float:
         unit = getattr(self.obj, self.name).Unit
