@@ -226,18 +226,19 @@ def nest(patterns, sheet=None, **options):
 
 
 @_bordered
-def study(made: Parts, columns=None, table=None, jobs: int = 0):
+def study(made: Parts, variants=None, table=None, jobs: int = 0):
     """Work out variants of a balloon, in processes beside this one; returns the object with its Table.
 
-    columns  values by what is varied, such as {"Width": ["200 mm", "300 mm"]}: each with each of all others
-    table    a spreadsheet of headings and rows instead
+    variants  values by what is varied, such as {"Width": ["200 mm", "300 mm"]}: each with each of all others;
+              or a list of single balloons such as {"Width": "200 mm"}
+    table     a spreadsheet of headings and rows instead
     A variant that cannot be made is a row with its sentence. Raises InputError, ExportError.
     """
     from BalloonWorkbench.app.studies import study as studies
 
     if _done:
         return _done[-1]
-    obj = studies.make(made.balloon.Document, made, table=table, columns=columns)
+    obj = studies.make(made.balloon.Document, made, table=table, variants=variants)
     obj.Jobs = jobs
     rows = studies.read(obj)
     task = studies.core_study(obj, rows)

@@ -7,6 +7,7 @@ import hashlib
 import itertools
 import json
 import sys
+from collections.abc import Mapping
 from pathlib import Path
 
 import FreeCAD as App
@@ -61,11 +62,12 @@ class StudyProxy(DocumentProxy):
         status.set_status(obj, status.READY)
 
 
-def make(doc, parts, variables=None, table=None, columns=None):
+def make(doc, parts, variables=None, table=None, variants=None):
     """A study of a balloon and its spreadsheet: a column for each variable of a VarSet, or size and pressure.
 
-    table    one that is there already is taken as it is
-    columns  values of a new one by what is varied: each with each of all others. Raises InputError
+    table     one that is there already is taken as it is
+    variants  of a new one: values by what is varied, each with each of all others; or a list of balloons,
+              each by its values. Raises InputError
     """
     from BalloonWorkbench.app.border import hooks
 
@@ -73,7 +75,7 @@ def make(doc, parts, variables=None, table=None, columns=None):
     obj.Label = "Study"
     StudyProxy(obj)
     hooks.attach_view(obj)
-    obj.Balloon, obj.Table = parts.balloon, table or _new_table(doc, parts, variables, columns or {})
+    obj.Balloon, obj.Table = parts.balloon, table or _new_table(doc, parts, variables, variants or {})
     group = parts.balloon.getParentGroup()
     for each in (obj, obj.Table):
         if group is not None and each.getParentGroup() is None:
@@ -165,6 +167,27 @@ def take_row(obj, table: study_table.Table, number: int) -> None:
     write_all(obj.Document, values)
 
 
+def _rows_of(variants) -> tuple[list, list]:
+    """The headings and the rows of variants."""
+    if isinstance(variants, Mapping):
+        return list(variants), [*itertools.product(*variants.values())]
+    headings = [*dict.fromkeys(name for values in variants for name in values)]
+    return headings, [[values.get(name, "") for name in headings] for values in variants]
+
+
+def variants_of(obj, table: study_table.Table) -> list[dict[str, str]]:
+    """The rows as `make` takes them."""
+    columns = {letters: each.heading for letters, each in table.inputs.items()}
+    return [
+        {
+            heading: content.lstrip("='")
+            for letters, heading in columns.items()
+            if (content := str(obj.Table.getContents(f"{letters}{number}")))
+        }
+        for number in table.rows
+    ]
+
+
 def _of_studies(doc) -> list:
     """Objects that decide nothing about a balloon: studies, their tables, the balloons of rows."""
     own = [(obj, obj.Table, obj.Shown) for obj in filter(is_study, doc.Objects)]
@@ -184,13 +207,13 @@ def _parts(obj):
     return parts
 
 
-def _new_table(doc, parts, variables, columns):
+def _new_table(doc, parts, variables, variants):
     from BalloonWorkbench.app.studies.varied import Varied, varied
 
     sheet = doc.addObject(SHEET, "StudyTable")
     sheet.Label = "Study table"
-    if columns:
-        study_table.fill(sheet, list(columns), [*itertools.product(*columns.values())])
+    if variants:
+        study_table.fill(sheet, *_rows_of(variants))
         sheet.recompute()
         return sheet
     if variables is not None:

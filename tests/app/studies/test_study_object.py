@@ -39,7 +39,7 @@ def parts(made):
 
 
 def study_of(parts, columns, folder):
-    obj = studies.make(parts.balloon.Document, parts, columns=columns)
+    obj = studies.make(parts.balloon.Document, parts, variants=columns)
     obj.Folder = str(folder)
     parts.balloon.Document.recompute()
     return obj
@@ -243,3 +243,8 @@ def test_from_a_macro(parts):
     obj = BalloonWorkbench.study(parts, {"Width": ["200 mm"], "MeshSize": ["30 mm"]}, jobs=1)
     assert (obj.Finished, obj.Failed) == (1, 0)
     assert obj.Table.get("C2") > 0.0
+    rows = [{"Width": "200 mm", "MeshSize": "30 mm"}, {"MeshSize": "25 mm"}]
+    again = BalloonWorkbench.study(parts, rows)
+    assert (again.Finished, again.Failed, again.Table.get("C2")) == (2, 0, obj.Table.get("C2"))
+    made_of = studies.variants_of(again, studies.read(again))
+    assert [list(values) for values in made_of] == [["Width", "MeshSize"], ["MeshSize"]]

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A study with the mouse and the keyboard: rows, working out, stopping, looking at a row, plots."""
 
+import FreeCAD as App
 import FreeCADGui as Gui
 import hands
 import pytest
@@ -22,7 +23,7 @@ def made(doc):
 @pytest.fixture
 def study(made, tmp_path):
     """Its study, of the pressure alone, with the panel open; its balloons are kept beside the test."""
-    obj = studies.make(made.balloon.Document, made, columns={"Pressure": ["2 kPa"]})
+    obj = studies.make(made.balloon.Document, made, variants={"Pressure": ["2 kPa"]})
     obj.Folder = str(tmp_path)
     obj.Document.recompute()
     obj.Document.clearUndos()
@@ -144,3 +145,46 @@ def test_mistakes_are_sentences(study):
     assert "nearest" in hands.find("StudyMessage").text()
     hands.press("Cancel")
     hands.wait_until(hands.panel_is_closed)
+
+
+def test_the_document_is_closed_while_rows_are_worked_out(study):
+    make_rows("1 kPa", "2 kPa", 12)
+    hands.click(hands.find("StudyStart"))
+    hands.wait(0.5)
+    App.closeDocument(study.Document.Name)
+    hands.wait(0.5)
+    assert hands.panel_is_closed()
+
+
+@pytest.mark.parametrize("gone", ["Table", "Balloon"])
+def test_what_it_needs_is_deleted(study, gone):
+    """A sentence says what to choose; the panel can still be left."""
+    make_rows("1 kPa", "2 kPa", 3)
+    work_out(3)
+    doc, table = study.Document, hands.find("StudyRows")
+    table.selectRow(1)
+    doc.removeObject(getattr(study, gone).Name)
+    doc.recompute()
+    for act in (
+        lambda: hands.click(hands.find("StudyStart")),
+        lambda: hands.click(hands.find("StudyMakeRows")),
+        lambda: hands.click(hands.find("StudyTake")),
+        lambda: double_click(table, 1),
+    ):
+        act()
+        assert "choose" in hands.find("StudyMessage").text()
+    hands.press("Cancel")
+    hands.wait_until(hands.panel_is_closed)
+    assert doc.getObject(study.Name) is not None
+
+
+def test_undone_with_the_panel_open(made):
+    doc = made.balloon.Document
+    Gui.runCommand("BalloonWorkbench_Study")
+    hands.wait_until(hands.panel_is_seen)
+    Gui.runCommand("Std_Undo")
+    hands.wait(0.5)
+    if hands.panel_is_open():
+        hands.leave()
+    assert doc.getObject("StudyTable") is None or doc.getObject("Study") is not None
+    assert made.balloon.Status == "up to date"

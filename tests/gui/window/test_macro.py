@@ -279,6 +279,21 @@ def test_artwork_layout_assembly_and_map(made, rectangle_file, macro, tmp_path):
     assert page.read_bytes() == written
 
 
+def test_a_study(made, macro):
+    """The line makes and works out the same rows again, beside the study that is there."""
+    doc = made.balloon.Document
+    Gui.Selection.addSelection(made.balloon)
+    Gui.runCommand("BalloonWorkbench_Study")
+    hands.wait_until(hands.panel_is_seen)
+    hands.press("Ok")
+    hands.wait_until(hands.panel_is_closed)
+    assert sum("BalloonWorkbench.study(" in line for line in macro) == 1
+    rows = doc.Study.Rows
+    replay([line for line in macro if "BalloonWorkbench" in line])
+    again = doc.getObject("Study001")
+    assert (again.Rows, again.Finished, again.Failed) == (rows, rows, 0)
+
+
 def made_of(doc):
     """What the documents must agree in."""
     art, sheet = doc.Artwork, doc.FilmSheet

@@ -149,6 +149,10 @@ class StudyPanel(ObjectPanel):
         self.refresh()
         return True
 
+    def _is_whole(self) -> bool:
+        """Nobody has deleted the balloon or the table meanwhile; else a sentence tells."""
+        return (self.obj.Balloon is not None and self.obj.Table is not None) or self.read()
+
     def _offer_columns(self) -> None:
         inputs = [each.heading for each in self.table.inputs.values()]
         for choice, entries in (
@@ -193,7 +197,7 @@ class StudyPanel(ObjectPanel):
 
     def refresh(self) -> None:
         """Show what is known of each row; what was known before is not read again."""
-        if self.table is None:
+        if self.table is None or self.obj.Table is None:
             return
         missing = {
             number: values for number, values in self.table.rows.items() if not self.row_results.get(number)
@@ -296,7 +300,7 @@ class StudyPanel(ObjectPanel):
 
     def _keep(self) -> None:
         """Write the results into the spreadsheet."""
-        if self.table is not None:
+        if self.table is not None and self.obj.Table is not None:
             studies.keep_results(self.obj, self.table, self.row_results)
             self.obj.Table.recompute()
 
@@ -304,6 +308,8 @@ class StudyPanel(ObjectPanel):
         """Show the balloon of a row in place of the document's own."""
         import Mesh
 
+        if not self._is_whole():
+            return
         number = list(self.table.rows)[place]
         if number not in self.jobs:
             return
@@ -323,6 +329,8 @@ class StudyPanel(ObjectPanel):
 
     def take_row(self) -> None:
         """Give the document the values of the chosen row."""
+        if not self._is_whole():
+            return
         number = self._chosen()
         if number is None or self.worker is not None:
             self.message.setText(translate("Choose a row first."))
@@ -354,10 +362,10 @@ class StudyPanel(ObjectPanel):
         self._keep()
         self.obj.recompute()
         self.keep()
-        parts, table = macro_recorder.obj(self.obj.Balloon), macro_recorder.obj(self.obj.Table)
-        macro_recorder.call(
-            "study", f"BalloonWorkbench.parts({parts})", result=self.obj, name="study", table=table
-        )
+        if self.table is not None and self.obj.Balloon is not None and self.obj.Table is not None:
+            rows = repr(studies.variants_of(self.obj, self.table))
+            parts = f"BalloonWorkbench.parts({macro_recorder.obj(self.obj.Balloon)})"
+            macro_recorder.call("study", parts, rows, result=self.obj, name="study")
         return True
 
 
