@@ -15,7 +15,7 @@ from BalloonWorkbench.core.studies.table import FAILURE
 
 MOST_ROWS = 10_000  # a spreadsheet of FreeCAD has 16 384
 #: FreeCAD's own, in which `Varied.read` gives values.
-_UNITS = {
+UNITS = {
     "Length": "mm",
     "Distance": "mm",
     "Angle": "deg",
@@ -90,7 +90,7 @@ def spread(each: Varied, first: str, last: str, count: int) -> list[str]:
     low, high = each.read(first), each.read(last)
     if isinstance(low, (str, bool)):
         raise InputError(f"{each.heading} is no number: write its values into the table.")
-    unit = _UNITS.get(each.kind, "")
+    unit = UNITS.get(each.kind, "")
     values = [low + (high - low) * number / max(count - 1, 1) for number in range(count)]
     if each.kind == "Integer":
         values = [*dict.fromkeys(round(value) for value in values)]

@@ -239,7 +239,14 @@ class StudyPanel(ObjectPanel):
             return
         across, up = self._numbers(self.across.currentText()), self._numbers(self.up.currentText())
         points = {row: (across[row], up[row]) for row in across if row in up}
-        self.plot.show_points(points, self.across.currentText(), self.up.currentText(), self._chosen())
+        self.plot.show_points(points, self._axis(self.across), self._axis(self.up), self._chosen())
+
+    def _axis(self, choice) -> str:
+        """The name of a column with the unit of its numbers, which names of results have already."""
+        name = choice.currentText()
+        kinds = [each.kind for each in self.table.inputs.values() if each.heading == name]
+        unit = study_table.UNITS.get(kinds[0], "") if kinds else ""
+        return f"{name} [{unit}]" if unit else name
 
     def _numbers(self, name: str) -> dict[int, float]:
         """The numbers of a column by row."""
