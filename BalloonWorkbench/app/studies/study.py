@@ -180,7 +180,7 @@ def variants_of(obj, table: study_table.Table) -> list[dict[str, str]]:
     columns = {letters: each.heading for letters, each in table.inputs.items()}
     return [
         {
-            heading: content.lstrip("='")
+            heading: content
             for letters, heading in columns.items()
             if (content := str(obj.Table.getContents(f"{letters}{number}")))
         }

@@ -8,21 +8,12 @@ from collections.abc import Sequence
 from itertools import product
 from typing import Any, NamedTuple
 
-from BalloonWorkbench.app.studies.varied import Varied, varied
+from BalloonWorkbench.app.studies.varied import UNITS, Varied, varied
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.studies.results import RESULTS, WARNINGS
 from BalloonWorkbench.core.studies.table import FAILURE
 
 MOST_ROWS = 10_000  # a spreadsheet of FreeCAD has 16 384
-#: FreeCAD's own, in which `Varied.read` gives values.
-UNITS = {
-    "Length": "mm",
-    "Distance": "mm",
-    "Angle": "deg",
-    "Pressure": "kPa",
-    "Volume": "mm^3",
-    "Area": "mm^2",
-}
 #: The columns of a new study.
 USUAL = ("volume_m3", "thickness_mm", "safe_pressure_Pa", "weight_g", "lift_g", "error_mean_mm", FAILURE)
 _RESULTS = (*(result.name for result in RESULTS), WARNINGS, FAILURE)

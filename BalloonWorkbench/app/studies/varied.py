@@ -12,14 +12,22 @@ import FreeCAD as App
 
 from BalloonWorkbench.app.document.kinds import leader
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.studies.columns import NO, YES
 from BalloonWorkbench.core.units import number_text
 
 SHEET, VARIABLES = "Spreadsheet::Sheet", "App::VarSet"
-_QUANTITIES = ("Length", "Distance", "Angle", "Pressure", "Volume", "Area")
+#: Properties with a unit, and FreeCAD's own one, in which `Varied.read` gives values.
+UNITS = {
+    "Length": "mm",
+    "Distance": "mm",
+    "Angle": "deg",
+    "Pressure": "kPa",
+    "Volume": "mm^3",
+    "Area": "mm^2",
+}
 #: A plain number for one of these is millimetres or degrees, as everywhere in FreeCAD.
 _PLAIN = ("Length", "Distance", "Angle")
-_KINDS = frozenset({*_QUANTITIES, "Float", "FloatConstraint", "Integer", "Bool", "Enumeration", "String"})
-_YES, _NO = ("yes", "true", "on", "1"), ("no", "false", "off", "0")
+_KINDS = frozenset({*UNITS, "Float", "FloatConstraint", "Integer", "Bool", "Enumeration", "String"})
 
 
 class Varied(NamedTuple):
@@ -61,7 +69,7 @@ class Varied(NamedTuple):
             return _content(cell)
         if isinstance(cell, str):
             cell = " ".join(cell.split())  # FreeCAD's own errors have several lines
-        if self.kind in _QUANTITIES:
+        if self.kind in UNITS:
             return self._quantity(cell)
         text = str(cell).strip()
         if self.kind == "Bool":
@@ -161,11 +169,6 @@ def write_all(document, values: dict[str, Any]) -> None:
         each.write(value)
 
 
-def variables(doc) -> list:
-    """The VarSets of a document."""
-    return [obj for obj in doc.Objects if obj.TypeId == VARIABLES]
-
-
 def own_variables(variable_set) -> list[str]:
     """The properties of a VarSet that its user has made and a study can vary."""
     return [
@@ -195,7 +198,8 @@ def _names(obj):
 
 
 def _plain(text: str) -> str:
-    return re.sub(r"[^a-z0-9]", "", text.lower())
+    """Without spaces, dashes and capitals; letters of any script stay."""
+    return re.sub(r"[\W_]", "", text.casefold())
 
 
 def _parsed(cell):
@@ -213,9 +217,9 @@ def _parsed(cell):
 
 
 def _flag(heading: str, text: str) -> bool:
-    if text.lower() not in (*_YES, *_NO):
+    if text.lower() not in (*YES, *NO):
         raise InputError(f"'{text}' is neither yes nor no: write one of them for {heading}.")
-    return text.lower() in _YES
+    return text.lower() in YES
 
 
 def _content(cell) -> str:

@@ -20,7 +20,7 @@ INPUT, COMMAND = "input", "command"
 DESIGN, INFLATE = "design", "inflate"
 #: Several values in one cell.
 SEPARATOR = ";"
-_YES, _NO = ("yes", "true", "on", "1"), ("no", "false", "off", "0", NONE)
+YES, NO = ("yes", "true", "on", "1"), ("no", "false", "off", "0", NONE)
 
 
 @dataclass(frozen=True)
@@ -86,7 +86,7 @@ class Column:
         if self._is_many:
             several = written if isinstance(written, (list, tuple)) else str(written).split(SEPARATOR)
             texts = [text_of(each).strip() for each in several]
-        elif self.option.switch and texts[0].lower() in _YES:
+        elif self.option.switch and texts[0].lower() in YES:
             return Value((flag,), True)
         paths = [_file(self.option, text, folder) for text in texts]
         arguments = tuple(
@@ -109,9 +109,9 @@ class Column:
     @staticmethod
     def _flag(option: Option, written: Any) -> Value:
         text = str(written).strip().lower()
-        if text in _YES:
+        if text in YES:
             return Value((option.flag_name,), True)
-        if text in _NO:
+        if text in NO:
             return Value()
         raise InputError(f"'{written}' is neither yes nor no: write one of them for {_name(option)}.")
 

@@ -198,6 +198,22 @@ def test_variables_are_columns(parts, tmp_path):
         document.recompute()
 
 
+def test_labels_of_any_script_are_told_apart(parts, tmp_path):
+    """Of two spreadsheets with Japanese labels the one that is named is varied."""
+    document, made = parts.balloon.Document, []
+    for label, alias in (("寸法", "w"), ("圧力", "w")):
+        sheet = document.addObject("Spreadsheet::Sheet", "Named")
+        sheet.Label = label
+        sheet.set("A1", "=180 mm")
+        sheet.setAlias("A1", alias)
+        made.append(sheet)
+    document.recompute()
+    obj = study_of(parts, {"圧力.w": ["=200 mm"]}, tmp_path)
+    assert [each.obj for each in studies.read(obj).inputs.values()] == made[1:]
+    obj = study_of(parts, {"幅": ["200 mm"]}, tmp_path)
+    assert "nothing that is called" in obj.Status
+
+
 def test_another_document_is_another_balloon(parts, tmp_path):
     """Rows are those of the document as it is; what a row gives itself, and results, do not count."""
     obj = study_of(parts, {"Width": ["200 mm"]}, tmp_path)

@@ -10,6 +10,7 @@ from typing import Any
 from BalloonWorkbench.app.studies import study as studies
 from BalloonWorkbench.app.studies import study_table
 from BalloonWorkbench.app.studies.variant import MESH
+from BalloonWorkbench.app.studies.varied import UNITS
 from BalloonWorkbench.core.errors import BalloonError, Cancelled
 from BalloonWorkbench.core.studies.folder import StudyFolder
 from BalloonWorkbench.core.studies.run import run_study
@@ -245,7 +246,7 @@ class StudyPanel(ObjectPanel):
         """The name of a column with the unit of its numbers, which names of results have already."""
         name = choice.currentText()
         kinds = [each.kind for each in self.table.inputs.values() if each.heading == name]
-        unit = study_table.UNITS.get(kinds[0], "") if kinds else ""
+        unit = UNITS.get(kinds[0], "") if kinds else ""
         return f"{name} [{unit}]" if unit else name
 
     def _numbers(self, name: str) -> dict[int, float]:
