@@ -74,12 +74,12 @@ def make(doc, parts, variables=None, table=None, variants=None):
     obj = doc.addObject("App::FeaturePython", "Study")
     obj.Label = "Study"
     StudyProxy(obj)
-    hooks.attach_view(obj)
     obj.Balloon, obj.Table = parts.balloon, table or _new_table(doc, parts, variables, variants or {})
     group = parts.balloon.getParentGroup()
     for each in (obj, obj.Table):
         if group is not None and each.getParentGroup() is None:
             group.addObject(each)
+    hooks.attach_view(obj)  # last: it is shown with its group
     return obj
 
 

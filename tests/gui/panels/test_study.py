@@ -74,6 +74,7 @@ def test_from_the_command_to_results_in_the_spreadsheet(made, tmp_path):
     hands.wait_until(hands.panel_is_seen)
     doc.Study.Folder = str(tmp_path)
     assert hands.find("StudyRows").rowCount() == 1
+    assert doc.Study.ViewObject.Visibility
     hands.screenshot("study_new")
     work_out(1)
     hands.press("Ok")
