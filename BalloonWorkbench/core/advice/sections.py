@@ -14,6 +14,7 @@ import numpy as np
 
 from BalloonWorkbench.core.geometry.normals import left_normals
 from BalloonWorkbench.core.geometry.sampling import evenly
+from BalloonWorkbench.core.geometry.vectors import unit
 from BalloonWorkbench.core.mesh.delaunay import triangulate_points
 from BalloonWorkbench.core.mesh.quality import interior_edges
 from BalloonWorkbench.core.outline.outline import Outline
@@ -52,8 +53,7 @@ def sections(outline: Outline, spacing: float) -> Sections:
     numbers = tuple(np.arange(first, last, dtype=np.int32) for first, last in pairwise(starts))
     edges, _ = interior_edges(triangulate_points(points, numbers))
     inward = np.concatenate([left_normals(loop) for loop in loops])
-    across = points[edges[:, 1]] - points[edges[:, 0]]
-    across /= np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-300)
+    across = unit(points[edges[:, 1]] - points[edges[:, 0]])
     square = (np.einsum("ij,ij->i", across, inward[edges[:, 0]]) > _SQUARE) & (
         np.einsum("ij,ij->i", across, inward[edges[:, 1]]) < -_SQUARE
     )

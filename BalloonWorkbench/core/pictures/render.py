@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from BalloonWorkbench.core.geometry.polyline import bounds
 from BalloonWorkbench.core.geometry.raster import NearestCover, covered, mixed, nearest_covers
 from BalloonWorkbench.core.geometry.triangulation import signed_areas
+from BalloonWorkbench.core.geometry.vectors import unit
 from BalloonWorkbench.core.pictures.two_panels import two_panel_surfaces
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.types import Bools, Floats, Ints
@@ -162,13 +163,12 @@ def _facing_viewer(pixels: Floats, triangles: Ints) -> Bools:
 
 def _lit(drawn: Floats) -> Floats:
     """Colours (n, 3) of metallic film from normals, film colours and places as the eye sees them."""
-    normal = drawn[:, :3] / np.linalg.norm(drawn[:, :3], axis=1, keepdims=True)
+    normal = unit(drawn[:, :3])
     film, place = drawn[:, 3:6], drawn[:, 6:9]
-    view = np.array([0.0, 0.0, _EYE]) - place
-    view /= np.linalg.norm(view, axis=1, keepdims=True)
+    view = unit(np.array([0.0, 0.0, _EYE]) - place)
     facing = np.clip((normal * view).sum(axis=1, keepdims=True), 0.0, 1.0)
     mirrored = 2.0 * (normal * view).sum(axis=1, keepdims=True) * normal - view
-    key = _unit(-0.45, 0.8, 0.65)
+    key = unit(np.array([-0.45, 0.8, 0.65]))
     bounce = 0.5 - 0.5 * normal[:, 1:2]  # light from the floor
     diffuse = 0.34 + 0.66 * np.clip(normal @ key, 0.0, None)[:, None] + 0.22 * bounce
     edge = (1.0 - facing) ** 4
@@ -191,10 +191,6 @@ def _studio(direction: Floats) -> Floats:
 def _step(value: Floats, start: float, end: float) -> Floats:
     share = np.clip((value - start) / (end - start), 0.0, 1.0)
     return share * share * (3.0 - 2.0 * share)
-
-
-def _unit(x: float, y: float, z: float) -> Floats:
-    return np.array([x, y, z]) / np.sqrt(x * x + y * y + z * z)
 
 
 def _blurred(image: Floats, radius: int) -> Floats:

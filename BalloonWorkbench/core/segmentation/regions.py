@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from BalloonWorkbench.core.checkpoint import checkpoint
+from BalloonWorkbench.core.geometry.vectors import unit
 from BalloonWorkbench.core.segmentation.proxies import (
     Faces,
     Moments,
@@ -144,8 +145,7 @@ def _first_seeds(faces: Faces, count: int) -> Indices:
 def _across(normals: Floats) -> Floats:
     """A direction (p, 3) square to each normal."""
     other = np.eye(3)[np.argmin(rounded(np.abs(normals)), axis=1)]
-    across = np.cross(normals, other)
-    return across / np.linalg.norm(across, axis=1, keepdims=True)
+    return unit(np.cross(normals, other))
 
 
 def _settled(

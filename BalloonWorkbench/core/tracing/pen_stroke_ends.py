@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from BalloonWorkbench.core.geometry.vectors import direction
+from BalloonWorkbench.core.geometry.vectors import direction, unit
 from BalloonWorkbench.core.tracing.raster import distance, label
 from BalloonWorkbench.core.types import Bools, Floats
 
@@ -41,7 +41,7 @@ def free_ends(ink: Bools, width: float) -> tuple[Floats, Floats]:
     # No arc at all is a dot, which has no end.
     near_end = (arcs == 1) & (covered <= _DIRECTIONS * _WIDEST_ARC / (2 * np.pi))
     x, y, outward = x[near_end], y[near_end], outward[near_end]
-    outward /= np.maximum(np.linalg.norm(outward, axis=1, keepdims=True), 1e-9)
+    outward = unit(outward)
     zone = np.zeros(ink.shape, dtype=np.bool_)
     zone[y, x] = True
     labels, count = label(zone)

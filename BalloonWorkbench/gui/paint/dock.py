@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from functools import partial
+from typing import ClassVar
 
 import FreeCADGui as Gui
 
@@ -21,11 +22,13 @@ class PaintDock(QtWidgets.QDockWidget):
     `leave` is called whenever it closes; `finish` closes it for good.
     """
 
+    #: The panels beside it, and how wide they were. One window may take the place of another: all share them.
+    _neighbours: ClassVar[list[tuple[QtWidgets.QDockWidget, int]]] = []
+
     def __init__(self, title: str):
         super().__init__(title, Gui.getMainWindow())
         self.setObjectName("BalloonPaint")
         self.setWindowIcon(drawn_icon("paint"))
-        self._neighbours: list = []
         self._laid_aside: list = []
         self._watch = QtCore.QTimer(self)
         self._watch.setInterval(_LOOKS)
@@ -53,9 +56,9 @@ class PaintDock(QtWidgets.QDockWidget):
         if self.parent() is None or main.dockWidgetArea(self) == QtCore.Qt.NoDockWidgetArea:
             main.addDockWidget(QtCore.Qt.LeftDockWidgetArea, self, QtCore.Qt.Horizontal)
         self._closed.stop()
-        if not self._neighbours:  # those that it has made narrow before are still to be given back
+        if not self._neighbours:  # those that were made narrow before are still to be given back
             others = [dock for dock in main.findChildren(QtWidgets.QDockWidget) if dock.isVisible()]
-            self._neighbours = [
+            self._neighbours += [
                 (dock, dock.width())
                 for dock in others
                 if dock is not self and main.dockWidgetArea(dock) == QtCore.Qt.LeftDockWidgetArea
@@ -123,7 +126,10 @@ class PaintDock(QtWidgets.QDockWidget):
         self._closed.stop()
         self._watch.stop()
         self._put_back()
+        main = Gui.getMainWindow()
+        if any(window.isVisible() for window in main.findChildren(QtWidgets.QDockWidget, self.objectName())):
+            return  # another has taken its place
         docks = [(dock, width) for dock, width in self._neighbours if dock.isVisible()]
         if docks:
-            Gui.getMainWindow().resizeDocks(*map(list, zip(*docks)), QtCore.Qt.Horizontal)
-        self._neighbours = []
+            main.resizeDocks(*map(list, zip(*docks)), QtCore.Qt.Horizontal)
+        self._neighbours.clear()

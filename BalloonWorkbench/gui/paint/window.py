@@ -124,7 +124,6 @@ class PaintWindow(PaintDock):
         if self.making:
             self._stop_making()
         self.close()
-        self.give_back()
         self.is_aside = True
 
     def finish(self) -> None:

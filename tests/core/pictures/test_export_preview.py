@@ -14,7 +14,7 @@ from matplotlib import image
 from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pictures.cards import PreviewCard, cards_png
 from BalloonWorkbench.core.pictures.preview import preview_png
-from BalloonWorkbench.core.pictures.render import balloon_picture
+from BalloonWorkbench.core.pictures.render import balloon_picture, surface_picture
 
 PAPER = np.array([0xEE, 0xF0, 0xF4]) / 255.0
 
@@ -73,6 +73,15 @@ def test_balloon_picture_shows_the_shape() -> None:
     assert shadow[rows.max() + 4 :].any()
     assert ring[[0, -1], :, 3].max() < 0.02
     assert ring[:, [0, -1], 3].max() < 0.02
+
+
+def test_a_surface_without_normals_is_drawn_in_numbers() -> None:
+    corners = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
+    image = surface_picture(
+        (corners, np.array([[0, 1, 2]], np.int32), np.zeros((3, 3)), np.ones((3, 3))), 80, 80
+    )
+    assert np.isfinite(image).all()
+    assert image[..., 3].max() == 1.0
 
 
 def test_a_long_caption_stays_on_its_card() -> None:
