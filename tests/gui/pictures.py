@@ -31,10 +31,12 @@ def framed(size=SIZE):
         for dock in hands.visible(hands.QtWidgets.QDockWidget)
         if main.dockWidgetArea(dock) == hands.QtCore.Qt.LeftDockWidgetArea
     ]
+    widths = [dock.width() for dock in docks]
     main.resizeDocks(docks, [_PANEL] * len(docks), hands.QtCore.Qt.Horizontal)
     hands.wait(0.2)
     yield
     main.setGeometry(before)
+    main.resizeDocks(docks, widths, hands.QtCore.Qt.Horizontal)
     hands.wait(0.1)
 
 

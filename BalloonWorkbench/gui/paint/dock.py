@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import ClassVar
+from time import monotonic
 
 import FreeCADGui as Gui
 
@@ -14,6 +14,40 @@ from BalloonWorkbench.gui.view3d.fit_view import OVERLAYS
 _SHARE = 0.5  # of the main window
 _NARROW = 150  # px, of a panel beside it
 _LOOKS = 300  # ms between looks at what FreeCAD has laid over its 3D view
+_SETTLES = 1.0  # s until Qt has moved the panels: what they measure before is not their width
+
+
+class _Neighbours:
+    """The panels at the left, narrow while a paint window is beside them. The windows share them."""
+
+    def __init__(self) -> None:
+        self._widths: dict[QtWidgets.QDockWidget, int] = {}
+        self._is_narrow = False
+        self._given_back = -_SETTLES
+
+    def narrow(self, main, window) -> dict:
+        """The width of each beside a window; how wide it is without is remembered."""
+        if not self._is_narrow and monotonic() - self._given_back > _SETTLES:
+            self._widths = {
+                dock: dock.width()
+                for dock in main.findChildren(QtWidgets.QDockWidget)
+                if dock is not window
+                and dock.isVisible()
+                and main.dockWidgetArea(dock) == QtCore.Qt.LeftDockWidgetArea
+            }
+        self._is_narrow = True
+        return {dock: min(width, _NARROW) for dock, width in self._widths.items()}
+
+    def give_back(self, main) -> None:
+        """They are as wide as before."""
+        docks = [dock for dock in self._widths if dock.isVisible()]
+        if self._is_narrow and docks:
+            main.resizeDocks(docks, [self._widths[dock] for dock in docks], QtCore.Qt.Horizontal)
+        self._is_narrow = False
+        self._given_back = monotonic()
+
+
+_neighbours = _Neighbours()
 
 
 class PaintDock(QtWidgets.QDockWidget):
@@ -21,9 +55,6 @@ class PaintDock(QtWidgets.QDockWidget):
 
     `leave` is called whenever it closes; `finish` closes it for good.
     """
-
-    #: The panels beside it, and how wide they were. One window may take the place of another: all share them.
-    _neighbours: ClassVar[list[tuple[QtWidgets.QDockWidget, int]]] = []
 
     def __init__(self, title: str):
         super().__init__(title, Gui.getMainWindow())
@@ -56,19 +87,12 @@ class PaintDock(QtWidgets.QDockWidget):
         if self.parent() is None or main.dockWidgetArea(self) == QtCore.Qt.NoDockWidgetArea:
             main.addDockWidget(QtCore.Qt.LeftDockWidgetArea, self, QtCore.Qt.Horizontal)
         self._closed.stop()
-        if not self._neighbours:  # those that were made narrow before are still to be given back
-            others = [dock for dock in main.findChildren(QtWidgets.QDockWidget) if dock.isVisible()]
-            self._neighbours += [
-                (dock, dock.width())
-                for dock in others
-                if dock is not self and main.dockWidgetArea(dock) == QtCore.Qt.LeftDockWidgetArea
-            ]
+        narrow = _neighbours.narrow(main, self)
         self.show()
         self.raise_()
         self._mind_overlays()
         self._watch.start()
-        narrow = {dock: min(width, _NARROW) for dock, width in self._neighbours}
-        width = min(int(_SHARE * main.width()), self._free_room(main))
+        width = min(int(_SHARE * main.width()), self._free_room(main, narrow))
         main.resizeDocks([*narrow, self], [*narrow.values(), width], QtCore.Qt.Horizontal)
 
     def _mind_overlays(self) -> None:
@@ -97,13 +121,13 @@ class PaintDock(QtWidgets.QDockWidget):
             overlay.setGeometry(place)
         self._laid_aside.clear()
 
-    def _free_room(self, main) -> int:
+    def _free_room(self, main, narrow) -> int:
         """The width up to the panels that FreeCAD 1.1 lays over its 3D view: they would take the mouse."""
         floating = main.findChild(QtWidgets.QWidget, "OverlayRight")
         if floating is None or not floating.isVisible() or floating.size().isEmpty():
             return main.width()
         separator = main.style().pixelMetric(QtWidgets.QStyle.PM_DockWidgetSeparatorExtent, None, main)
-        columns = {dock.x(): min(width, _NARROW) for dock, width in self._neighbours}
+        columns = {dock.x(): width for dock, width in narrow.items()}
         return floating.x() - sum(width + separator for width in columns.values())
 
     def closeEvent(self, event):
@@ -127,9 +151,6 @@ class PaintDock(QtWidgets.QDockWidget):
         self._watch.stop()
         self._put_back()
         main = Gui.getMainWindow()
-        if any(window.isVisible() for window in main.findChildren(QtWidgets.QDockWidget, self.objectName())):
-            return  # another has taken its place
-        docks = [(dock, width) for dock, width in self._neighbours if dock.isVisible()]
-        if docks:
-            main.resizeDocks(*map(list, zip(*docks)), QtCore.Qt.Horizontal)
-        self._neighbours.clear()
+        windows = main.findChildren(QtWidgets.QDockWidget, self.objectName())
+        if not any(window.isVisible() for window in windows):  # none has taken its place
+            _neighbours.give_back(main)
