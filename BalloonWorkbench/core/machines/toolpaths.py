@@ -109,8 +109,13 @@ def room(machine: Machine) -> float:
 
 
 def _waste(pattern: Pattern, machine: Machine) -> Waste | None:
-    """Where a tool may land beside the welds; None for one that lands on its lines."""
-    if machine.tool is None or not machine.tool.is_hot or machine.tool.lead_in == 0.0:
+    """Where a tool may land beside the welds; None for one that lands on its lines, and without an outline."""
+    if (
+        machine.tool is None
+        or not machine.tool.is_hot
+        or machine.tool.lead_in == 0.0
+        or not pattern.of(Role.CUT)
+    ):
         return None
     return Waste(pattern, to_mm(machine.tool.lead_in), room(machine) - to_mm(machine.knife_offset))
 
@@ -138,15 +143,17 @@ def _curves(contour: Contour, machine: Machine, ends: Floats, waste: Waste | Non
 def _weld(curve: Curve, machine: Machine, ends: Floats, waste: Waste | None) -> Curve:
     """A weld [mm] with what it runs past its start and with the ways of a hot tool between it and waste film;
     a wheel that swivels goes ahead of it."""
-    past, behind = to_mm(machine.overrun), to_mm(machine.knife_offset)
-    if waste is None:
-        led = overrun(curve, past) if curve.closed else curve
-    elif curve.closed:
-        begun, way = waste.begun(begun_on_straight(curve, ends))
-        led = prolonged(overrun(begun, past), way, None)
-    else:
-        led = prolonged(curve, *waste.ways(curve))
-    return led if machine.tool is None else trailing_knife(led, behind)
+    if machine.tool is None:
+        return overrun(curve, to_mm(machine.overrun)) if curve.closed else curve
+    before = after = None
+    if curve.closed:
+        curve = begun_on_straight(curve, ends)
+        if waste is not None:
+            curve, before = waste.begun(curve)
+        curve = overrun(curve, to_mm(machine.overrun))
+    elif waste is not None:
+        before, after = waste.ways(curve)
+    return trailing_knife(prolonged(curve, before, after), to_mm(machine.knife_offset))
 
 
 def _once(paths: list[Path]) -> list[Path]:
