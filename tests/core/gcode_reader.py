@@ -1,17 +1,31 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """G-code as a controller runs it: modal state, lines and arcs, units, what is on and how hot it is.
 
-Written after the controllers' manuals, without ours: grbl 1.1 and LinuxCNC count dwells in seconds (P), Marlin in
-milliseconds; a modal motion stays until another; arcs have I and J from their start and fail where both radii
-differ by 0.005 mm; what a controller does not know is an error.
+Written after the controllers' manuals, without ours: grbl 1.1 and LinuxCNC count dwells in seconds (P),
+Marlin in milliseconds; a modal motion stays until another; arcs have I and J from their start and fail where
+both radii differ by 0.005 mm; what a controller does not know is an error.
 """
 
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
+import shapely
+
+from BalloonWorkbench.core.machines.machine import Machine, holding, machine
+from BalloonWorkbench.core.machines.machine_file import machine_file
+from BalloonWorkbench.core.options.making import ToolOptions
+from BalloonWorkbench.core.pattern.pattern import Pattern, Role
+from BalloonWorkbench.core.units import parse_temperature
+
+ROOM = 5.0  # mm round the pattern
+LASER = ToolOptions("laser", feed=600.0, power=40.0)
+KNIFE = ToolOptions("knife", feed=900.0, depth=1e-3)
+SPINDLE = ToolOptions("spindle", feed=450.0, depth=5e-4, spindle_speed=12000.0)
+HOT = ToolOptions("hot-tip", feed=300.0, tip_temperature=parse_temperature("180C"), depth=2e-4)
+WHEEL = replace(HOT, tool="hot-wheel")
 
 _WORD = re.compile(r"([A-Z])([+-]?(?:\d+\.?\d*|\.\d+))")
 _SETTING = {
@@ -30,7 +44,7 @@ _CHORD = 5e-4
 
 @dataclass
 class Stroke:
-    """A line along which the tool is at work: points (n, 2) mm with all of an arc's, feeds (n - 1,) mm/min."""
+    """A line along which the tool is at work: points mm with all of an arc's, feeds mm/min between them."""
 
     points: list[np.ndarray]
     feeds: list[float] = field(default_factory=list)
@@ -160,3 +174,26 @@ class Controller:
         count = max(2, int(np.ceil(abs(turn) / np.sqrt(8.0 * _CHORD / radius))))
         angles = np.arctan2(first[1], first[0]) + turn * np.arange(1, count) / count
         return [middle + radius * np.array([np.cos(angle), np.sin(angle)]) for angle in angles] + [goal]
+
+
+def held(controller: str, wishes: ToolOptions, **changes: object) -> Machine:
+    return replace(holding(machine(f"gcode-{controller}"), wishes), **{"bed": None, **changes})
+
+
+def run(pattern: Pattern, made_for: Machine) -> Run:
+    return Controller(made_for.version, made_for.tool.kind == "laser").read(machine_file(pattern, made_for))
+
+
+def lines_of(pattern: Pattern, *roles: Role) -> list[shapely.Geometry]:
+    """Contours where a file has them [mm], straight from the pattern's points."""
+    low = pattern.bounds[0]
+    return [
+        (shapely.LinearRing if each.closed else shapely.LineString)((each.points - low) * 1e3 + ROOM)
+        for role in roles
+        for each in pattern.of(role)
+    ]
+
+
+def film_of(pattern: Pattern) -> shapely.Geometry:
+    cuts, holes = (map(shapely.Polygon, lines_of(pattern, role)) for role in (Role.CUT, Role.CUT_INNER))
+    return shapely.union_all([*cuts]).difference(shapely.union_all([*holes]))

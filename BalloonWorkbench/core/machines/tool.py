@@ -50,7 +50,7 @@ class MachineTool:
     power          share of a laser's full power, for which the controller is told the number full_power
     spindle_speed  [1/s]
     temperature    of a hot tip or wheel [K]
-    work_height    at work above the film [m]: 0 touches it, below it cuts or presses
+    depth          at work below where it touches the film [m]: 0 touches it; a laser's focus may be above
     lift           height between lines [m]
     dwell          before it moves along a line: a laser burns in, a hot tip warms the film, a spindle
                    starts [s]
@@ -62,7 +62,7 @@ class MachineTool:
     power: float | None = None
     spindle_speed: float | None = None
     temperature: float | None = None
-    work_height: float | None = None
+    depth: float | None = None
     lift: float = from_mm(5.0)
     dwell: float = 0.0
     corner_feed: float = 1.0
@@ -117,8 +117,8 @@ _VALUES = {
     "temperature": _Value("temperature_C", parse_temperature("40C"), parse_temperature("400C"),
         lambda celsius: parse_temperature(f"{celsius}C"), temperature_text, "temperature",
         "--tip-temperature 180C"),
-    "work_height": _Value("work_height_mm", from_mm(-50.0), from_mm(50.0), from_mm, length_text,
-        "height at work", "--work-height -0.2mm"),
+    "depth": _Value("depth_mm", from_mm(-50.0), from_mm(50.0), from_mm, length_text,
+        "depth", "--depth 0.2mm"),
     "lift": _Value("lift_mm", from_mm(0.5), from_mm(100.0), from_mm, length_text, "lift"),
     "dwell": _Value("dwell_s", 0.0, 10.0, float, lambda seconds: f"{number_text(seconds)} s", "dwell"),
     "corner_feed": _Value("corner_feed_percent", 0.1, 1.0, lambda percent: 0.01 * percent, _percent_text,
@@ -129,10 +129,10 @@ _VALUES = {
 
 _NEEDS = {
     LASER: ("feed", "power"),
-    SPINDLE: ("feed", "spindle_speed", "work_height"),
-    KNIFE: ("feed", "work_height"),
-    HOT_TIP: ("feed", "temperature", "work_height"),
-    HOT_WHEEL: ("feed", "temperature", "work_height"),
+    SPINDLE: ("feed", "spindle_speed", "depth"),
+    KNIFE: ("feed", "depth"),
+    HOT_TIP: ("feed", "temperature", "depth"),
+    HOT_WHEEL: ("feed", "temperature", "depth"),
 }
 #: As whose values they are asked for.
 _NAMES = {LASER: "laser", SPINDLE: "spindle", KNIFE: "knife", HOT_TIP: "hot tip", HOT_WHEEL: "hot wheel"}
@@ -170,7 +170,7 @@ def changed(tool: MachineTool, wishes: ToolOptions) -> MachineTool:
     values: dict[str, Any] = {
         name: _VALUES[name].read(number) for name, number in typed.items() if number is not None
     }
-    measured = {"temperature": wishes.tip_temperature, "work_height": wishes.work_height}
+    measured = {"temperature": wishes.tip_temperature, "depth": wishes.depth}
     values |= {name: value for name, value in measured.items() if value is not None}
     return _checked(replace(tool, **values))
 
@@ -183,10 +183,10 @@ def _checked(tool: MachineTool) -> MachineTool:
                 f"The {value.what} of a {_NAMES[tool.kind]} must be from {value.show(value.least)} to"
                 f" {value.show(value.most)}."
             )
-    if tool.work_height is not None and tool.kind != LASER and not tool.lift > tool.work_height:
+    if tool.depth is not None and tool.kind != LASER and not tool.lift > -tool.depth:
         raise InputError(
-            f"The {_NAMES[tool.kind]} works at {length_text(tool.work_height)} and is lifted to"
-            f" {length_text(tool.lift)} only: make lift_mm larger, or the height at work less."
+            f"The {_NAMES[tool.kind]} works {length_text(-tool.depth)} above the film and is lifted"
+            f" {length_text(tool.lift)} only: give it more depth, or a higher lift_mm."
         )
     return tool
 

@@ -109,7 +109,7 @@ def room(machine: Machine) -> float:
 
 
 def _waste(pattern: Pattern, machine: Machine) -> Waste | None:
-    """Where a tool may land beside the welds; None for one that lands on its lines, and without an outline."""
+    """Where a tool may land beside welds; None for one that lands on its lines, and without an outline."""
     if (
         machine.tool is None
         or not machine.tool.is_hot

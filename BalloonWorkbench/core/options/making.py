@@ -49,8 +49,8 @@ class ToolOptions:
     spindle_speed: float | None = MAKING(Kind.NUMBER, None, "Turns of a spindle in a minute", prop="")
     tip_temperature: float | None = MAKING(Kind.TEMPERATURE, None,
         "Temperature of a hot tip or wheel, such as 180C", prop="")
-    work_height: float | None = MAKING(Kind.HEIGHT, None,
-        "Height of a tool at work; 0 touches the film, below it presses or cuts", prop="")
+    depth: float | None = MAKING(Kind.HEIGHT, None,
+        "How far a tool goes below where it touches the film, to cut or to press; 0 touches it", prop="")
 
 
 @dataclass(frozen=True)

@@ -34,9 +34,9 @@ def _header(drawing: Toolpaths, machine: Machine, tool: MachineTool) -> Iterator
     width, height = (number_text(size, 6) for size in (drawing.width, drawing.height))
     yield f"It moves within X0 to X{width} and Y0 to Y{height}."
     yield f"Feed {number_text(to_mm_per_minute(tool.feed or 0.0), 6)} mm/min"
-    if tool.work_height is not None:
-        work, lifted = (number_text(to_mm(height), 4) for height in (tool.work_height, tool.lift))
-        yield f"Height at work {work} mm, lifted {lifted} mm"
+    if tool.depth is not None:
+        depth, lifted = (number_text(to_mm(length), 4) for length in (tool.depth, tool.lift))
+        yield f"Depth {depth} mm, lifted {lifted} mm"
     if tool.kind == LASER:
         full = number_text(tool.full_power, 6)
         yield f"Power {number_text(100.0 * (tool.power or 0.0))} %; S{full} is full power"

@@ -86,7 +86,7 @@ class _Writer:
         self._feed = round(to_mm_per_minute(tool.feed or 0.0), 3)
         self._laser = tool.kind == LASER
         self._turns = tool.kind in (LASER, SPINDLE)
-        self._down = None if tool.work_height is None else round(to_mm(tool.work_height), DIGITS)
+        self._down = None if tool.depth is None else round(-to_mm(tool.depth), DIGITS) + 0.0
         self._up = round(to_mm(tool.lift), DIGITS)
 
     def beginning(self) -> Iterator[Instruction]:
