@@ -130,6 +130,24 @@ def test_welds_are_those_of_the_pattern(controller: str, pattern: object) -> Non
     assert (high <= [width, height]).all()
 
 
+def test_no_way_to_a_weld_crosses_another() -> None:
+    """Of two welds round each other the inner one begins on itself; so does one that a notch goes round, and
+    one whose piece has no outline that would tell where waste is."""
+    cut, *inside = (SQUARE * (1.0 - 20.0 * by) + by for by in (0.0, 0.002, 0.004, 0.012))
+    outline, fence = Contour(Role.CUT, cut, True), Contour(Role.NOTCH, inside[0], True)
+    outer, inner = (Contour(Role.SEAL, points, True) for points in inside[1:])
+    for contours, led in (
+        ([outer, outline], 1),
+        ([inner, outer, outline], 1),
+        ([fence, outer, outline], 0),
+        ([outer], 0),
+    ):
+        pattern = Pattern(tuple(contours), None, 0.005, 0.4)
+        strokes = run(pattern, held("grbl", HOT)).strokes
+        welds = shapely.union_all(lines_of(pattern, Role.SEAL))
+        assert sum(welds.distance(shapely.Point(each.line[0])) > NEAR for each in strokes) == led
+
+
 def parts_of(geometry: shapely.Geometry) -> list[shapely.Geometry]:
     return [part for part in shapely.get_parts(shapely.line_merge(geometry)) if part.length > 0.1]
 
