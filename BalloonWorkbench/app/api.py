@@ -184,6 +184,18 @@ def export(
 
 
 @_bordered
+def tool_paths(obj, machine: str, bed: str | None = None, oversize: str = "refuse") -> list:
+    """Objects of FreeCAD's workbench Path (CAM since 1.0) with the moves of a pattern's G-code.
+
+    machine, one that reads G-code, bed and oversize as for `export`; one object for each film. Raises
+    ExportError.
+    """
+    from BalloonWorkbench.app.engine import tool_paths as paths
+
+    return _done[-1] if _done else paths.tool_paths(obj, machine, bed, oversize)
+
+
+@_bordered
 def artwork(pattern_obj, **options):
     """The artwork of a pattern, made if there is none, with these values: picture, back_picture, bleed ...
 

@@ -7,6 +7,8 @@ import io
 
 import FreeCAD as App
 
+from BalloonWorkbench.core.errors import ExportError
+
 
 def qt():
     """QtCore, QtGui and QtWidgets of the running FreeCAD (0.20 keeps the widgets in QtGui)."""
@@ -54,6 +56,22 @@ def mesh_from_arrays(positions, triangles):
     mesh = Mesh.Mesh()
     mesh.read(Stream=stream, Format="PLY")
     return mesh
+
+
+def path_of(steps):
+    """The Path of steps, each a G-code with its words in mm and mm/min; FreeCAD counts feeds in mm/s.
+
+    ExportError where this FreeCAD has no workbench Path, which is CAM since 1.0.
+    """
+    try:
+        import Path
+    except ImportError as error:
+        raise ExportError("This FreeCAD lacks the workbench Path (CAM since 1.0): install it.") from error
+
+    def inside(words) -> dict:
+        return {letter: value / 60.0 if letter == "F" else value for letter, value in words.items()}
+
+    return Path.Path([Path.Command(name, inside(words)) for name, words in steps])
 
 
 def has_material_system() -> bool:

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A pattern in FreeCAD's workbench Path or CAM: its own post processor writes the moves of our G-code."""
+
+import importlib
+import json
+
+import numpy as np
+import pytest
+import sketches
+from gcode_reader import Controller
+
+import BalloonWorkbench
+from BalloonWorkbench.app.document import create
+from BalloonWorkbench.app.engine.export import export_for
+from BalloonWorkbench.core.errors import ExportError
+from BalloonWorkbench.core.machines.machine import FOLDER
+
+#: Where FreeCAD 0.20, 1.0 and 1.1 have it.
+POSTS = (
+    "grbl_post",
+    "PathScripts.post.grbl_post",
+    "Path.Post.scripts.grbl_post",
+    "Path.Post.scripts.grbl_legacy_post",
+)
+
+
+@pytest.fixture
+def own(tmp_path, monkeypatch):
+    """Machines with all that a file needs: a laser and a hot tip on GRBL."""
+    data = json.loads((FOLDER / "gcode-grbl.json").read_text(encoding="utf-8"))
+    tools = {
+        "beam": {**data["tool"], "feed_mm_min": 600, "power_percent": 40},
+        "tip": {"kind": "hot-tip", "feed_mm_min": 240, "depth_mm": 0.2, "dwell_s": 0.5},
+    }
+    folder = tmp_path / "machines"
+    folder.mkdir()
+    for name, tool in tools.items():
+        layers = {"SEAL": {}} if name == "tip" else data["layers"]
+        own = {**data, "name": name, "tool": tool, "layers": layers, "bed_mm": None}
+        (folder / f"{name}.json").write_text(json.dumps(own))
+    monkeypatch.setenv("BALLOON_MACHINES", str(folder))
+
+
+def post_of():
+    import Path  # noqa: F401  # which is where the posts of 1.0 are
+
+    for name in POSTS:
+        try:
+            return importlib.import_module(name)
+        except ImportError:
+            continue
+    pytest.fail("this FreeCAD has no post processor for GRBL")
+
+
+@pytest.mark.parametrize("name", ["beam", "tip"])
+def test_freecads_post_processor_writes_the_same_moves(doc, own, tmp_path, name):
+    made = create.balloon_from_sketch(doc, sketches.ring(doc), mesh_size=20, correct=False)
+    (paths,) = BalloonWorkbench.tool_paths(made.pattern, name)
+    assert paths.TypeId.startswith("Path::Feature")
+    written = tmp_path / "post.gcode"
+    post_of().export([paths], str(written), "--no-show-editor --no-header")
+    ours = Controller("grbl", name == "beam").read(export_for(made.pattern, name, tmp_path).read_bytes())
+    read = Controller("grbl", name == "beam").read(written.read_bytes())
+    assert len(read.strokes) == len(ours.strokes) > 0
+    for one, other in zip(read.strokes, ours.strokes, strict=True):
+        assert one.line.shape == other.line.shape
+        assert np.abs(one.line - other.line).max() < 0.01
+        assert one.feeds == pytest.approx(other.feeds, rel=1e-3)
+        assert (one.power, one.height, one.dwell) == pytest.approx((other.power, other.height, other.dwell))
+    assert [way for way, _ in read.travel] == pytest.approx([way for way, _ in ours.travel], abs=0.01)
+
+
+def test_what_cannot_be_made_leaves_no_object(doc, own):
+    made = create.balloon_from_sketch(doc, sketches.ring(doc), mesh_size=20, correct=False)
+    before = len(doc.Objects)
+    for name, text in (("gcode-grbl", "feed and power"), ("lightburn", "reads no G-code")):
+        with pytest.raises(ExportError, match=text):
+            BalloonWorkbench.tool_paths(made.pattern, name)
+    assert len(doc.Objects) == before
