@@ -190,9 +190,7 @@ def tool_paths(obj, machine: str, bed: str | None = None, oversize: str = "refus
     machine, one that reads G-code, bed and oversize as for `export`; one object for each film. Raises
     ExportError.
     """
-    from BalloonWorkbench.app.engine import tool_paths as paths
-
-    return _done[-1] if _done else paths.tool_paths(obj, machine, bed, oversize)
+    return _done[-1] if _done else writer.tool_paths(obj, machine, bed, oversize)
 
 
 @_bordered

@@ -5,9 +5,13 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from BalloonWorkbench.app import host
 from BalloonWorkbench.app.engine.bed import scale_to_bed
 from BalloonWorkbench.app.engine.cut_sheet import insist_on_ready, patterns_in, sheet
 from BalloonWorkbench.core.errors import ExportError, InputError
+
+#: What a post processor of FreeCAD says itself: units, modes, the end.
+_OF_POSTS = ("G17", "G21", "G40", "G49", "G54", "G64", "G90", "G91.1", "G94", "M2")
 
 
 def export_pattern(pattern_obj, target) -> Path:
@@ -116,6 +120,38 @@ def export_for(
 
     write_files(path.parent, hooks.run_blocking(f"Writing {path.name}", contents))
     return path
+
+
+def tool_paths(pattern_obj, machine_name: str, bed: str | None = None, oversize: str = "refuse") -> list:
+    """New objects of FreeCAD's workbench Path (CAM since 1.0) with the moves that `export_for` writes for a
+    machine that reads G-code, one for each film.
+
+    Raises ExportError, and makes none, when the machine cannot make the pattern, or this FreeCAD has no such
+    workbench.
+    """
+    from BalloonWorkbench.app.border import hooks
+    from BalloonWorkbench.core.machines.machine import machine
+    from BalloonWorkbench.core.machines.preflight import ERROR
+    from BalloonWorkbench.core.machines.toolpaths import draw
+    from BalloonWorkbench.core.machines.writers.moves import moves
+
+    made_for, pattern = machine(machine_name, bed), sheet(pattern_obj)
+    for finding in check_for(pattern_obj, machine_name, bed, oversize):
+        if finding.severity == ERROR:
+            raise ExportError(finding.text)
+
+    def steps_of(_progress) -> dict:
+        parts = {stock: pattern.of_stock(stock) for stock in pattern.stocks}
+        return {stock: moves(draw(part, made_for), made_for) for stock, part in parts.items()}
+
+    objects = []
+    for stock, steps in hooks.run_blocking("Making tool paths", steps_of).items():
+        path = host.path_of([(step.name, step.words) for step in steps if step.name not in ("", *_OF_POSTS)])
+        obj = pattern_obj.Document.addObject("Path::Feature", "ToolPaths")
+        obj.Label = f"{made_for.name} {stock}".strip()
+        obj.Path = path
+        objects.append(obj)
+    return objects
 
 
 def export_results(balloon_obj, target) -> Path:

@@ -25,6 +25,10 @@ def made(doc, tmp_path, monkeypatch):
     (folder / "tiny.json").write_text(json.dumps(tiny), encoding="utf-8")
     coarse = {**data, "name": "coarse", "title": "Coarse laser", "least_radius_mm": 90}
     (folder / "coarse.json").write_text(json.dumps(coarse), encoding="utf-8")
+    laser = json.loads((FOLDER / "gcode-grbl.json").read_text(encoding="utf-8"))
+    laser["tool"] |= {"feed_mm_min": 600, "power_percent": 40}
+    foil = {**laser, "name": "foil", "title": "Foil on a laser", "bed_mm": None}
+    (folder / "foil.json").write_text(json.dumps(foil), encoding="utf-8")
     monkeypatch.setenv("BALLOON_MACHINES", str(folder))
     parts = create.balloon_from_sketch(doc, sketches.ring(doc), mesh_size=12, correct=False)
     Gui.Selection.addSelection(parts.pattern)
@@ -176,3 +180,29 @@ def test_place_of_a_remark_is_marked_in_the_view(made):
     assert root.getNumChildren() == before + 1
     choose("Any program (SVG)")
     assert root.getNumChildren() == before
+
+
+def test_tool_paths_come_into_the_document_and_one_undo_takes_them_back(made, stand_in):
+    """Offered for machines that read G-code; without what only the user knows the panel stays and says so."""
+    document, before = made.pattern.Document, len(made.pattern.Document.Objects)
+    choose("Plain paper (PDF)")
+    assert not hands.find("AsToolPaths").isVisible()
+    choose("GRBL machine (G-code)")
+    assert hands.find("File").text() == "Ring balloon-gcode-grbl.gcode"
+    hands.click(hands.find("AsToolPaths"), x=8)
+    assert "Not possible: Nobody but you knows the feed and power of your laser" in remarks()[0]
+    hands.press("Ok")
+    hands.wait(0.05)
+    assert "Nobody but you" in hands.find("Message").text()
+    choose("Foil on a laser")
+    hands.screenshot("export_tool_paths")
+    lines = lines_of_macro(stand_in)
+    hands.press("Ok")
+    hands.wait_until(hands.panel_is_closed)
+    (paths,) = document.Objects[before:]
+    assert "M4 S400" in paths.Path.toGCode()
+    (positional, named), *_ = lines
+    assert positional == ("tool_paths", macro_recorder.obj(made.pattern), '"foil"')
+    assert named == {"result": [paths]}
+    document.undo()
+    assert len(document.Objects) == before

@@ -10,7 +10,7 @@ from BalloonWorkbench.app.document.kinds import is_panel, leader
 from BalloonWorkbench.app.document.parts import parts_of
 from BalloonWorkbench.app.engine import bed
 from BalloonWorkbench.app.engine.cut_sheet import patterns_in
-from BalloonWorkbench.app.engine.export import export_for, files_of
+from BalloonWorkbench.app.engine.export import export_for, files_of, tool_paths
 from BalloonWorkbench.app.properties import preferences
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.gui.panels.making.machine_box import MachineBox
@@ -39,6 +39,14 @@ class ExportPanel(TaskPanel):
         self.machine = MachineBox(patterns[0].Document.Name)
         self.machine.choose(preferences.get("Machine"))
         self.file = TargetFile(patterns[0].Document, "File", translate("Export pattern"))
+        self.as_paths = QtWidgets.QCheckBox(translate("Tool paths, no file"))
+        self.as_paths.setObjectName("AsToolPaths")
+        self.as_paths.setToolTip(
+            translate(
+                "Put the same moves into the document, as objects of FreeCAD's workbench Path (CAM since"
+                " 1.0), which can simulate them and write them with its post processors"
+            )
+        )
         self.size = WrappedLabel()
         self.size.setObjectName("Size")
         self.message = WrappedLabel()
@@ -51,6 +59,7 @@ class ExportPanel(TaskPanel):
         ):
             form.addRow(QtWidgets.QLabel(text))
             form.addRow(widget)
+        form.addRow(self.as_paths)
         form.addRow(translate("Size"), self.size)
         form.addRow(self.message)
         self.choice.currentIndexChanged.connect(self.show_pattern)
@@ -70,6 +79,7 @@ class ExportPanel(TaskPanel):
         self.message.setText("")
         self.size.setText(_size(pattern) if status.is_ready(pattern) else NOTHING)
         self.file.suggest(self.machine.machine.file_of(name_of(pattern)))
+        self.as_paths.setVisible(self.machine.machine.tool is not None)
         self.machine.show_for(pattern)
 
     def scale_to_fit(self) -> None:
@@ -98,6 +108,8 @@ class ExportPanel(TaskPanel):
 
     def accept(self):
         """Write the file; the panel stays with the reason when that fails."""
+        if self.as_paths.isVisibleTo(self.form) and self.as_paths.isChecked():
+            return self._make_paths()
         made_for, paper, oversize = self.machine.machine, self.machine.paper, self.machine.oversize
         own_bed = self.machine.own_bed
         try:
@@ -119,6 +131,25 @@ class ExportPanel(TaskPanel):
         self.file.wrote()
         self.close()
         Gui.getMainWindow().statusBar().showMessage(translate("Pattern written to {}").format(written), 8000)
+        return True
+
+    def _make_paths(self) -> bool:
+        """Make tool paths in one undo step; the panel stays with the reason when that fails."""
+        name, own_bed, oversize = self.machine.machine.name, self.machine.own_bed, self.machine.oversize
+        pattern, chosen = self.pattern(), {"bed": own_bed}
+        try:
+            with undo_step(pattern.Document, translate("Tool paths")):
+                paths = tool_paths(pattern, name, own_bed, oversize)
+                pattern.Document.commitTransaction()
+        except BalloonError as error:
+            self.message.setText(translated(str(error)))
+            return False
+        if self.machine.write.isChecked():
+            chosen["oversize"] = oversize
+        options = {key: macro_recorder.text(value) for key, value in chosen.items() if value}
+        words = macro_recorder.obj(pattern), macro_recorder.text(name)
+        macro_recorder.call("tool_paths", *words, result=paths, **options)
+        self.close()
         return True
 
     def reject(self):
