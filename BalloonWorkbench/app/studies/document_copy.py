@@ -16,7 +16,7 @@ from BalloonWorkbench.core.errors import ExportError
 #: Properties that are looks; those that our objects work out like their results.
 _LOOKS = frozenset({"Visibility", "Label2", "TreeRank"})
 _WORKED_OUT = frozenset({"Shape", "Mesh", "Placement"})
-#: How many copies a folder has: more than those that a study is worked out from while its document is changed.
+#: How many copies a folder has: more than a study is worked out from while its document is changed.
 _KEPT = 8
 
 
