@@ -17,6 +17,7 @@ from BalloonWorkbench.core.machines.compensate import overrun, trailing_knife, w
 from BalloonWorkbench.core.machines.machine import Machine
 from BalloonWorkbench.core.machines.order import CUTS, RANKS, in_order
 from BalloonWorkbench.core.machines.start_point import begun_on_straight
+from BalloonWorkbench.core.machines.travel import travel
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import MILLIMETRE, from_mm, to_mm
@@ -58,6 +59,12 @@ class Toolpaths:
         """The paths with as few changes of the layer as the order of the work allows."""
         return tuple(sorted(self.paths, key=lambda path: (path.turn, RANKS[path.role])))
 
+    @property
+    def travel(self) -> float:
+        """How far the tool goes between the paths, in their order [mm]."""
+        begins, ends = np.array([_way(path.curve) for path in self.paths]).swapaxes(0, 1)
+        return travel(begins, ends)
+
     def of(self, role: Role) -> tuple[Path, ...]:
         """The paths of one role."""
         return tuple(path for path in self.paths if path.role is role)
@@ -94,8 +101,13 @@ def _in_order(contours: Sequence[Contour], machine: Machine) -> list[Path]:
         curves[number].append(curve)
     # what lies on another line is nothing of its own; what is not for this machine has something in it
     kept = [number for number in range(len(contours)) if curves[number] or number not in used]
-    ways = np.array([_way(contours[number], curves[number]) for number in kept]).reshape(-1, 2, 2)
-    steps = in_order([contours[number] for number in kept], ways)
+    ways = np.array(
+        [
+            _way(*curves[number]) if curves[number] else to_mm(contours[number].points[[0, 0]])
+            for number in kept
+        ]
+    )
+    steps = in_order([contours[number] for number in kept], ways.reshape(-1, 2, 2))
     return [
         Path(contours[kept[step.number]].role, curve, step.turn)
         for step in steps
@@ -123,10 +135,8 @@ def _curves(contour: Contour, machine: Machine, ends: Floats) -> Iterator[Curve]
         yield curve
 
 
-def _way(contour: Contour, curves: Sequence[Curve]) -> Floats:
-    """Where (2, 2) mm the tool comes to a contour and leaves it."""
-    if not curves:  # not for this machine, but what lies inside is
-        return to_mm(contour.points[[0, 0]])
+def _way(*curves: Curve) -> Floats:
+    """Where (2, 2) mm the tool comes to curves and leaves them."""
     return np.stack([curves[0].joints[0], curves[-1].joints[0 if curves[-1].closed else -1]])
 
 

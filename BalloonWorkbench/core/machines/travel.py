@@ -7,10 +7,15 @@ Nearest first, then 2-opt (Croes, A method for solving traveling-salesman proble
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import numpy as np
+from numpy.typing import NDArray
 
 from BalloonWorkbench.core.checkpoint import checkpoint
 from BalloonWorkbench.core.types import Floats
+
+Indices = NDArray[np.intp]
 
 #: So many pieces of work stay nearest first: that many changes take too long to try.
 _MOST = 400
@@ -18,6 +23,7 @@ _MOST = 400
 _ROW = 3
 #: A way is shorter when it is so by more than this part: rounding decides nothing.
 _SHORTER = 1e-9
+_DIGITS = 9
 
 
 def shortest_order(begins: Floats, ends: Floats, start: Floats, finish: Floats | None = None) -> list[int]:
@@ -26,18 +32,11 @@ def shortest_order(begins: Floats, ends: Floats, start: Floats, finish: Floats |
     A way without a finish may end anywhere. Of what is equally near the first comes first.
     """
     far = _distances(begins, ends, start, finish)
-    order = _nearest_first(far)
-    if len(order) > _MOST:
-        return order
-    way = np.array([len(begins), *order, len(begins) + 1])
-    least = _SHORTER * float(far[np.isfinite(far)].max(initial=0.0))
-    while True:
-        checkpoint()
-        other = _turned(way, far, least)
-        other = _moved(way, far, least) if other is None else other
-        if other is None:
-            return [int(number) for number in way[1:-1]]
-        way = other
+    nearest = _nearest_first(far)
+    if len(nearest) > _MOST:
+        return nearest
+    ways = [_improved(order, far) for order in (nearest, nearest[::-1], range(len(begins)))]
+    return min(ways, key=lambda way: round(float(far[way[:-1], way[1:]].sum()), _DIGITS))[1:-1].tolist()
 
 
 def travel(begins: Floats, ends: Floats) -> float:
@@ -67,7 +66,21 @@ def _nearest_first(far: Floats) -> list[int]:
     return order
 
 
-def _turned(way: Floats, far: Floats, least: float) -> Floats | None:
+def _improved(order: Iterable[int], far: Floats) -> Indices:
+    """The way from the start to the finish, as short as both changes make it."""
+    count = len(far) - 2
+    way = np.array([count, *order, count + 1])
+    least = _SHORTER * float(far.max())
+    while True:
+        checkpoint()
+        other = _turned(way, far, least)
+        other = _moved(way, far, least) if other is None else other
+        if other is None:
+            return way
+        way = other
+
+
+def _turned(way: Indices, far: Floats, least: float) -> Indices | None:
     """The way with the part turned round that gains most; None where none does."""
     forward = np.append(0.0, np.cumsum(far[way[:-1], way[1:]]))
     backward = np.append(0.0, np.cumsum(far[way[1:], way[:-1]]))
@@ -87,7 +100,7 @@ def _turned(way: Floats, far: Floats, least: float) -> Floats | None:
     return np.concatenate([way[:first], way[first : end + 1][::-1], way[end + 1 :]])
 
 
-def _moved(way: Floats, far: Floats, least: float) -> Floats | None:
+def _moved(way: Indices, far: Floats, least: float) -> Indices | None:
     """The way with a short row of it done elsewhere where that gains most; None where nothing does."""
     best, found = least, None
     for length in range(1, _ROW + 1):
