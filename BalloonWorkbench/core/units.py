@@ -85,6 +85,16 @@ def from_mm(millimetres: Number) -> Number:
     return millimetres * MILLIMETRE
 
 
+def from_mm_per_minute(feed: float) -> float:
+    """A feed as machines are told it to metres a second."""
+    return feed * MILLIMETRE / 60.0
+
+
+def to_mm_per_minute(speed: float) -> float:
+    """Metres a second to a feed as machines are told it."""
+    return speed * 60.0 / MILLIMETRE
+
+
 def number_text(value: float, digits: int = 3) -> str:
     """A number for people: so many digits that count, all of those before the point, never an exponent."""
     if not math.isfinite(value):
