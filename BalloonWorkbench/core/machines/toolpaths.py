@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -19,6 +19,7 @@ from BalloonWorkbench.core.machines.machine import Machine
 from BalloonWorkbench.core.machines.order import CUTS, RANKS, in_order
 from BalloonWorkbench.core.machines.start_point import begun_on_straight
 from BalloonWorkbench.core.machines.tool import WELDS
+from BalloonWorkbench.core.machines.travel import travel
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import MILLIMETRE, from_mm, to_mm
@@ -66,6 +67,12 @@ class Toolpaths:
         """The paths with as few changes of the layer as the order of the work allows."""
         return tuple(sorted(self.paths, key=lambda path: (path.turn, RANKS[path.role])))
 
+    @property
+    def travel(self) -> float:
+        """How far the tool goes between the paths, in their order [mm]."""
+        begins, ends = np.array([_way(path.curve) for path in self.paths]).swapaxes(0, 1)
+        return travel(begins, ends)
+
     def of(self, role: Role) -> tuple[Path, ...]:
         """The paths of one role."""
         return tuple(path for path in self.paths if path.role is role)
@@ -76,21 +83,12 @@ def draw(pattern: Pattern, machine: Machine) -> Toolpaths:
 
     Raises ExportError when the pattern has none of the lines that the machine wants.
     """
-    ends = [contour.points[[0, -1]] for contour in pattern.contours if not contour.closed]
-    ends_mm = to_mm(np.concatenate(ends)) if ends else np.empty((0, 2))
-    waste = _waste(pattern, machine)
-    paths = [
-        Path(contour.role, curve, turn)
-        for contour, turn in in_order(pattern.contours)
-        if contour.role in machine.layers
-        for curve in _curves(contour, machine, ends_mm, waste)
-    ]
+    paths = _in_order(pattern, machine)
     if not paths:
         roles = ", ".join(role.value for role in machine.layers)
         raise ExportError(
             f"The pattern has no lines for {machine.title}, which takes {roles}: choose another machine."
         )
-    paths = _once(paths)
     if machine.control_bar and Role.REGISTRATION in machine.layers:
         low = np.min([path.curve.bounds[0] for path in paths], axis=0)
         paths = [Path(Role.REGISTRATION, curve) for curve in _bar(low)] + paths
@@ -101,6 +99,34 @@ def draw(pattern: Pattern, machine: Machine) -> Toolpaths:
         low, high = (to_mm(at) + side * room(machine) for at, side in zip(pattern.bounds, (-1.0, 1.0)))
     width, height = (high - low).tolist()
     return Toolpaths(tuple(replace(path, curve=path.curve.moved(-low)) for path in paths), width, height)
+
+
+def _in_order(pattern: Pattern, machine: Machine) -> list[Path]:
+    """What a machine does of a pattern, in the order of the work, still where it is."""
+    contours, waste = pattern.contours, _waste(pattern, machine)
+    ends = [contour.points[[0, -1]] for contour in contours if not contour.closed]
+    ends_mm = to_mm(np.concatenate(ends)) if ends else np.empty((0, 2))
+    curves: list[list[Curve]] = [[] for _ in contours]
+    used = [number for number, contour in enumerate(contours) if contour.role in machine.layers]
+    each = [
+        (number, curve) for number in used for curve in _curves(contours[number], machine, ends_mm, waste)
+    ]
+    for number, curve in _once(each, contours):
+        curves[number].append(curve)
+    # what lies on another line is nothing of its own; what is not for this machine has something in it
+    kept = [number for number in range(len(contours)) if curves[number] or number not in used]
+    ways = np.array(
+        [
+            _way(*curves[number]) if curves[number] else to_mm(contours[number].points[[0, 0]])
+            for number in kept
+        ]
+    )
+    steps = in_order([contours[number] for number in kept], ways.reshape(-1, 2, 2))
+    return [
+        Path(contours[kept[step.number]].role, curve, step.turn)
+        for step in steps
+        for curve in curves[kept[step.number]]
+    ]
 
 
 def room(machine: Machine) -> float:
@@ -156,18 +182,24 @@ def _weld(curve: Curve, machine: Machine, ends: Floats, waste: Waste | None) -> 
     return trailing_knife(prolonged(curve, before, after), to_mm(machine.knife_offset))
 
 
-def _once(paths: list[Path]) -> list[Path]:
-    """Without paths that lie on an earlier one of the same role."""
-    boxes = np.array([np.concatenate(path.curve.bounds) for path in paths])
+def _way(*curves: Curve) -> Floats:
+    """Where (2, 2) mm the tool comes to curves and leaves them."""
+    return np.stack([curves[0].joints[0], curves[-1].joints[0 if curves[-1].closed else -1]])
+
+
+def _once(curves: list[tuple[int, Curve]], contours: Sequence[Contour]) -> list[tuple[int, Curve]]:
+    """Curves by the numbers of their contours, without those that lie on an earlier one of the same role."""
+    boxes = np.array([np.concatenate(curve.bounds) for _, curve in curves])
     distinct: list[int] = []
-    for number, path in enumerate(paths):
+    for number, (owner, curve) in enumerate(curves):
         near = np.abs(boxes[distinct] - boxes[number]).max(axis=1) < _SAME if distinct else np.zeros(0)
-        alike = [paths[distinct[k]] for k in np.flatnonzero(near) if paths[distinct[k]].role is path.role]
-        points = path.curve.flattened(_SAME) if alike else path.curve.joints
-        lines = [ring(other.curve.flattened(_SAME)) for other in alike]
+        alike = [curves[distinct[k]] for k in np.flatnonzero(near)]
+        role = contours[owner].role
+        lines = [ring(other.flattened(_SAME)) for earlier, other in alike if contours[earlier].role is role]
+        points = curve.flattened(_SAME) if lines else curve.joints
         if not any(nearest_on_line(line, points).distance.max() < 2.0 * _SAME for line in lines):
             distinct.append(number)
-    return [paths[number] for number in distinct]
+    return [curves[number] for number in distinct]
 
 
 def _bar(low: Floats) -> Iterator[Curve]:
