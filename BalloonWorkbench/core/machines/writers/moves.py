@@ -15,10 +15,10 @@ import numpy as np
 from BalloonWorkbench.core.arcs.curves import Curve
 from BalloonWorkbench.core.errors import ExportError
 from BalloonWorkbench.core.geometry.vectors import direction, perpendicular
-from BalloonWorkbench.core.machines.corners import slowed
 from BalloonWorkbench.core.machines.machine import Machine
 from BalloonWorkbench.core.machines.tool import GRBL, LINUXCNC, MARLIN, MachineTool, lacking
 from BalloonWorkbench.core.machines.toolpaths import Path, Toolpaths
+from BalloonWorkbench.core.machines.writers.corners import slowed
 from BalloonWorkbench.core.options.making import LASER, SPINDLE
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import from_mm, to_mm, to_mm_per_minute
