@@ -30,7 +30,7 @@ PICTURES = ROOT / "resources" / "examples" / "pictures"
 PACKAGE = Path(units.__file__).resolve().parents[1]
 #: These write numbers for programs: files of machines, macros, fingerprints, and the functions themselves.
 FOR_PROGRAMS = (
-    *("core/machines/writers/[dhls]*.py", "core/results/vtu.py", "core/units.py"),
+    *("core/machines/writers/[dghls]*.py", "core/results/vtu.py", "core/units.py"),
     *(
         "core/rounded.py",
         "core/studies/axes.py",

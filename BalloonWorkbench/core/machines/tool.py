@@ -185,7 +185,7 @@ def _checked(tool: MachineTool) -> MachineTool:
             )
     if tool.depth is not None and tool.kind != LASER and not tool.lift > -tool.depth:
         raise InputError(
-            f"The {_NAMES[tool.kind]} works {length_text(-tool.depth)} above the film and is lifted"
+            f"At work the {_NAMES[tool.kind]} is {length_text(-tool.depth)} above the film, and lifted"
             f" {length_text(tool.lift)} only: give it more depth, or a higher lift_mm."
         )
     return tool

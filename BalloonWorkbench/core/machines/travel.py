@@ -102,7 +102,7 @@ def _turned(way: Indices, far: Floats, least: float) -> Indices | None:
 
 def _moved(way: Indices, far: Floats, least: float) -> Indices | None:
     """The way with a short row of it done elsewhere where that gains most; None where nothing does."""
-    best, found = least, None
+    best, shorter = least, None
     for length in range(1, _ROW + 1):
         for first in range(1, len(way) - length):
             row, rest = way[first : first + length], np.delete(way, np.s_[first : first + length])
@@ -114,5 +114,5 @@ def _moved(way: Indices, far: Floats, least: float) -> Indices | None:
             gain = saved - (far[rest[:-1], row[0]] + far[row[-1], rest[1:]] - far[rest[:-1], rest[1:]])
             most = int(np.argmax(gain))
             if gain[most] > best:
-                best, found = float(gain[most]), np.insert(rest, most + 1, row)
-    return found
+                best, shorter = float(gain[most]), np.insert(rest, most + 1, row)
+    return shorter

@@ -256,7 +256,7 @@ def test_what_nobody_knows_is_asked_for(name: str, wishes: ToolOptions, words: t
         ("grbl", {"tool": "spindle", "spindle_speed": 0.0}, "spindle"),
         ("marlin", {"tip_temperature": 900.0}, "temperature of a hot tip must be from 40C to 400C"),
         ("marlin", {"tip_temperature": 280.0}, "temperature"),
-        ("marlin", {"depth": -0.006}, "works 6 mm above the film and is lifted 5 mm only"),
+        ("marlin", {"depth": -0.006}, "is 6 mm above the film, and lifted 5 mm only"),
         ("marlin", {"depth": -1.0}, "depth"),
     ],
 )
