@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How much a film stretched and how far its weld drew it in, from the difference of two silhouettes.
+
+Stretch makes all of the balloon larger, as film that does not resist bending keeps its shape whatever its
+size. A weld that draws film in moves the seam inward: the silhouette of a pattern whose seam lies further
+inside tells by how much each place follows. Both are small, so the difference is linear in them.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from BalloonWorkbench.core.as_made.comparison import Comparison
+from BalloonWorkbench.core.as_made.photo_scale import PhotoScale
+from BalloonWorkbench.core.as_made.placement import weights_of
+from BalloonWorkbench.core.geometry.nearest import nearest_places
+from BalloonWorkbench.core.geometry.normals import left_normals
+from BalloonWorkbench.core.geometry.polyline import centroid
+from BalloonWorkbench.core.geometry.sampling import evenly
+from BalloonWorkbench.core.geometry.vectors import perpendicular
+from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.types import Floats
+
+_SAMPLES = 800
+#: From this correlation on, the shape does not tell the two apart.
+_ALIKE = 0.97
+
+
+@dataclass(frozen=True)
+class FilmFit:
+    """What fits best, with one standard deviation each.
+
+    stretch    of the film, 0.01 for 1 %; shrinkage [m]: how far the weld draws the seam inward
+    apart      the shape tells the two from each other; else each is what fits without the other
+    left       mean difference that neither explains [m]
+    """
+
+    stretch: float
+    stretch_error: float
+    shrinkage: float
+    shrinkage_error: float
+    apart: bool
+    left: float
+
+
+def fit_film(
+    comparison: Comparison, usual: Outline, narrower: Outline, step: float, scale: PhotoScale
+) -> FilmFit:
+    """Stretch and shrinkage from a comparison.
+
+    usual, narrower  what is expected of the pattern, and of one with its seam `step` [m] further inside
+    """
+    expected, necks = comparison.expected.outline, comparison.expected.necks
+    places = evenly(expected.outer, expected.perimeter / _SAMPLES)
+    outward = -left_normals(places)
+    seen = _across(places, outward, comparison.seen.outer)
+    away = places - centroid([expected.outer])
+    moves = np.column_stack([outward, np.einsum("ij,ij->i", perpendicular(away), outward)])
+    stretch = np.einsum("ij,ij->i", away, outward)
+    shrinkage = (_across(places, outward, narrower.outer) - _across(places, outward, usual.outer)) / step
+    weights = weights_of(seen - np.median(seen), places, necks)
+    both = _solved(np.column_stack([stretch, shrinkage, moves]), seen, weights, 2)
+    correlation = abs(both.covariance[0, 1]) / np.sqrt(both.covariance[0, 0] * both.covariance[1, 1])
+    apart = bool(correlation < _ALIKE)
+    if apart:
+        values, errors, left = both.values, np.sqrt(np.diag(both.covariance)), both.left
+    else:
+        alone = [_solved(np.column_stack([each, moves]), seen, weights, 1) for each in (stretch, shrinkage)]
+        values = np.array([each.values[0] for each in alone])
+        errors = np.array([np.sqrt(each.covariance[0, 0]) for each in alone])
+        left = min(each.left for each in alone)
+    slip = scale.uncertainty
+    beside = slip * float(np.abs(stretch).mean() / max(np.abs(shrinkage).mean(), 1e-9))
+    return FilmFit(
+        float(values[0]),
+        float(np.hypot(errors[0], slip)),
+        float(values[1]),
+        float(errors[1] if apart else np.hypot(errors[1], beside)),
+        apart,
+        left,
+    )
+
+
+def _across(places: Floats, outward: Floats, loop: Floats) -> Floats:
+    """How far outside of places (k, 2) a loop runs, along their normals [m]."""
+    return np.asarray(np.einsum("ij,ij->i", nearest_places([loop], places) - places, outward))
+
+
+@dataclass(frozen=True)
+class _Solution:
+    """The first values of a least squares fit, their covariance, and the mean difference that is left."""
+
+    values: Floats
+    covariance: Floats
+    left: float
+
+
+def _solved(columns: Floats, goals: Floats, weights: Floats, count: int) -> _Solution:
+    """Least squares; neighbouring differences are alike, so they count as fewer than they are."""
+    rows = columns * weights[:, None]
+    solution = np.linalg.lstsq(rows, goals * weights, rcond=1e-9)[0]
+    residual = goals - columns @ solution
+    counted = weights > 0.0
+    free = max(int(counted.sum()) - columns.shape[1], 1)
+    variance = float((weights * residual) @ (weights * residual)) / free
+    inverse = np.linalg.pinv(rows.T @ rows, rcond=1e-15, hermitian=True)
+    covariance = variance * _repeated(residual[counted]) * inverse
+    return _Solution(
+        solution[:count], covariance[:count, :count], float(np.abs(residual[counted]).mean())
+    )
+
+
+def _repeated(residual: Floats) -> float:
+    """How many neighbours on a loop say the same: 1 + 2 (sum of autocorrelations up to the first below 0)."""
+    centred = residual - residual.mean()
+    power = np.abs(np.fft.rfft(centred)) ** 2
+    correlations = np.fft.irfft(power, len(centred))
+    correlations = correlations[: len(centred) // 2] / max(correlations[0], 1e-300)
+    below = np.flatnonzero(correlations <= 0.0)
+    last = int(below[0]) if len(below) else len(correlations)
+    return float(1.0 + 2.0 * correlations[1:last].sum())
