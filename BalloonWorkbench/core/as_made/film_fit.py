@@ -8,7 +8,9 @@ inside tells by how much each place follows. Both are small, so the difference i
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -23,7 +25,7 @@ from BalloonWorkbench.core.geometry.vectors import perpendicular
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.types import Floats
 
-_SAMPLES = 800
+_SAMPLES, _REWEIGHED = 800, 12
 #: From this correlation on, the shape does not tell the two apart.
 _ALIKE = 0.97
 
@@ -60,14 +62,14 @@ def fit_film(
     moves = np.column_stack([outward, np.einsum("ij,ij->i", perpendicular(away), outward)])
     stretch = np.einsum("ij,ij->i", away, outward)
     shrinkage = (_across(places, outward, narrower.outer) - _across(places, outward, usual.outer)) / step
-    weights = weights_of(seen - np.median(seen), places, necks)
-    both = _solved(np.column_stack([stretch, shrinkage, moves]), seen, weights, 2)
+    solved = partial(_solved, goals=seen, weigh=lambda missing: weights_of(missing, places, necks))
+    both = solved(np.column_stack([stretch, shrinkage, moves]), count=2)
     correlation = abs(both.covariance[0, 1]) / np.sqrt(both.covariance[0, 0] * both.covariance[1, 1])
     apart = bool(correlation < _ALIKE)
     if apart:
         values, errors, left = both.values, np.sqrt(np.diag(both.covariance)), both.left
     else:
-        alone = [_solved(np.column_stack([each, moves]), seen, weights, 1) for each in (stretch, shrinkage)]
+        alone = [solved(np.column_stack([each, moves]), count=1) for each in (stretch, shrinkage)]
         values = np.array([each.values[0] for each in alone])
         errors = np.array([np.sqrt(each.covariance[0, 0]) for each in alone])
         left = min(each.left for each in alone)
@@ -97,19 +99,22 @@ class _Solution:
     left: float
 
 
-def _solved(columns: Floats, goals: Floats, weights: Floats, count: int) -> _Solution:
-    """Least squares; neighbouring differences are alike, so they count as fewer than they are."""
-    rows = columns * weights[:, None]
-    solution = np.linalg.lstsq(rows, goals * weights, rcond=1e-9)[0]
-    residual = goals - columns @ solution
+def _solved(columns: Floats, goals: Floats, weigh: Callable[[Floats], Floats], count: int) -> _Solution:
+    """Least squares, weighed by what they leave; neighbouring differences count as fewer than they are."""
+    solution = np.zeros(columns.shape[1])
+    weights = np.sign(weigh(goals))
+    for _ in range(_REWEIGHED):
+        rows = columns * weights[:, None]
+        solution = np.linalg.lstsq(rows, goals * weights, rcond=1e-9)[0]
+        residual = goals - columns @ solution
+        weights = weigh(residual)
     counted = weights > 0.0
     free = max(int(counted.sum()) - columns.shape[1], 1)
     variance = float((weights * residual) @ (weights * residual)) / free
     inverse = np.linalg.pinv(rows.T @ rows, rcond=1e-15, hermitian=True)
     covariance = variance * _repeated(residual[counted]) * inverse
-    return _Solution(
-        solution[:count], covariance[:count, :count], float(np.abs(residual[counted]).mean())
-    )
+    left = float(np.abs(residual[counted]).mean())
+    return _Solution(solution[:count], covariance[:count, :count], left)
 
 
 def _repeated(residual: Floats) -> float:
