@@ -27,20 +27,22 @@ WITHOUT = (
 def add_compare(command: argparse.ArgumentParser) -> None:
     """Add its arguments to a parser; the input and the options of a design are added beside them."""
     command.add_argument(
-        "photo", metavar="PHOTO", help="PNG, JPEG or BMP picture, straight from the front, on a plain background"
+        "photo",
+        metavar="PHOTO",
+        help="PNG, JPEG or BMP picture, straight from the front, on a plain background",
     )
     command.add_argument(
         "input",
         metavar="INPUT",
-        help="what the balloon was designed from, with the same options; with --flat the pattern that was cut",
+        help="what the balloon was designed from, with the same options; with --flat the pattern as cut",
     )
     command.add_argument("--out", metavar="DIR", required=True, help="folder for the files")
     command.add_argument(
         "--scale",
         metavar="SCALE",
         required=True,
-        help="x1,y1,x2,y2,LENGTH: two points in pixels from the upper left corner, and how far they are apart,"
-        " such as 300mm; PIXELS,LENGTH: a length in pixels; fit: the size that fits best",
+        help="x1,y1,x2,y2,LENGTH: two points in pixels from the upper left corner, and how far they lie"
+        " apart, such as 300mm; PIXELS,LENGTH: a length in pixels; fit: the size that fits best",
     )
     command.add_argument(
         "--flat", action="store_true", help="a scanned panel beside what was cut, an SVG or DXF in real size"

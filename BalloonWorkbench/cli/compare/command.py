@@ -15,17 +15,19 @@ from BalloonWorkbench.core.as_made.compare_job import (
     compare_balloon,
     compare_cut,
     compared_files,
-    cut_outlines,
     rim_of,
 )
 from BalloonWorkbench.core.as_made.comparison_report import comparison_lines
 from BalloonWorkbench.core.as_made.fitted_film import fitted_film_file
 from BalloonWorkbench.core.as_made.photo_scale import parse_photo_scale
 from BalloonWorkbench.core.as_made.photograph import SeenShape, read_photograph
+from BalloonWorkbench.core.correction.fit import inflate_outline
+from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.files.write import check_folder, write_files
-from BalloonWorkbench.core.job import Balloon
+from BalloonWorkbench.core.job import Balloon, Settings
 from BalloonWorkbench.core.options.film import DEFAULT_FILM
+from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.targets.form import has_many_panels
 from BalloonWorkbench.core.types import Progress, Say, no_progress, part_of
 from BalloonWorkbench.core.units import from_mm
@@ -62,7 +64,7 @@ def _flat(
     """A scanned panel, and no other files."""
     if options.fit or options.rim is not None or options.uncorrected:
         raise InputError("A flat panel has no pressure and no rim: leave out --fit, --rim and --uncorrected.")
-    return compare_cut(shape, cut_outlines(options.input)), {}
+    return compare_cut(shape, options.input), {}
 
 
 def _inflated(
@@ -75,7 +77,7 @@ def _inflated(
             "Only balloons of two equal panels are compared with a photograph: compare the panels of others"
             " one by one with --flat."
         )
-    rim = rim_of(settings) if options.rim is None else options.rim
+    rim = rim_of(settings.film, settings.pattern) if options.rim is None else options.rim
     if not 0.0 <= rim <= from_mm(_MOST_RIM):
         raise InputError("--rim is the width of the weld and of the film beside it: give 0 to 1 m.")
     name = options.material or DEFAULT_FILM
@@ -85,8 +87,22 @@ def _inflated(
     first = part_of(progress, 0.0, _FITTED if options.fit else 1.0)
     balloon = balloon_of(options, settings, size, progress=first)
     assert isinstance(balloon, Balloon)  # two equal panels
-    last = part_of(progress, _FITTED, 1.0)
-    compared = compare_balloon(shape, balloon, rim, fitted=options.fit, progress=last)
+    made = [(part.design, part.pattern) for part in balloon.parts]
+    inflate = partial(_inflate, settings, part_of(progress, _FITTED, 1.0)) if options.fit else None
+    compared = compare_balloon(shape, made, rim, inflate)
     if compared.fit is None:
         return compared, {}
     return compared, fitted_film_file(name, compared.fit, Path(options.photo).name)
+
+
+def _inflate(settings: Settings, progress: Progress, seam: Outline, pressure: float) -> Design:
+    """The balloon of another pattern, as the settings say."""
+    return inflate_outline(
+        seam,
+        settings.film,
+        pressure,
+        mesh_size=settings.mesh_size,
+        backend=settings.backend,
+        model=settings.model,
+        progress=progress,
+    )

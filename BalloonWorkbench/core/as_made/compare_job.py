@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The whole way: a picture in, what it is compared with worked out, the files of the comparison out.
+"""The whole way: a picture and what it should show in, the files of the comparison out.
 
 1. read the shape in the picture               photograph.py
-2. work out the balloon, or read what was cut  core/job.py, readers/vector.py
+2. take the balloon, or read what was cut       readers/vector.py
 3. lay the one over the other                  comparison.py
 4. fit the film                                film_fit.py
 5. files                                       comparison_picture.py, comparison_report.py
@@ -10,7 +10,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -18,16 +18,18 @@ from BalloonWorkbench.core.as_made.comparison import Comparison, Expected, compa
 from BalloonWorkbench.core.as_made.comparison_picture import comparison_png
 from BalloonWorkbench.core.as_made.comparison_report import comparison_bytes
 from BalloonWorkbench.core.as_made.film_fit import FilmFit, fit_film
-from BalloonWorkbench.core.as_made.photo_scale import FIT, PhotoScale
+from BalloonWorkbench.core.as_made.photo_scale import FIT
 from BalloonWorkbench.core.as_made.photograph import SeenShape
-from BalloonWorkbench.core.correction.fit import inflate_outline
+from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.geometry.areas import loop_of, parts
-from BalloonWorkbench.core.job import Balloon, Part, Settings
+from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.pattern.pattern import Pattern
 from BalloonWorkbench.core.pattern.shapes import offset, polygon
-from BalloonWorkbench.core.readers.vector import read_vector
-from BalloonWorkbench.core.types import Progress, Say, in_english, no_progress
+from BalloonWorkbench.core.readers.vector import read_outermost
+from BalloonWorkbench.core.types import Say, in_english
 
 #: How much further inside the seam is tried, in parts of the balloon's size.
 _STEP = 0.004
@@ -41,63 +43,40 @@ class Compared:
     fit: FilmFit | None
 
 
-def rim_of(settings: Settings) -> float:
+def rim_of(film: Film, options: PatternOptions) -> float:
     """How far a balloon's weld and the film beside it reach beyond its seam [m]."""
-    options = settings.pattern
-    width = settings.film.seal_width if options.seal_width is None else options.seal_width
+    width = film.seal_width if options.seal_width is None else options.seal_width
     return width + options.allowance
 
 
 def compare_balloon(
     shape: SeenShape,
-    balloon: Balloon,
+    balloons: Sequence[tuple[Design, Pattern]],
     rim: float,
-    *,
-    fitted: bool = False,
-    progress: Progress = no_progress,
+    inflate: Callable[[Outline, float], Design] | None = None,
 ) -> Compared:
-    """An inflated balloon beside its simulation; rim [m]: what lies flat outside of the seam.
+    """An inflated balloon beside its simulation.
 
-    fitted  also the film's stretch and the weld's shrinkage
-    Raises InputError where the photograph shows another thing, or has no scale to fit them by.
+    rim      what lies flat outside of the seam [m]
+    inflate  the balloon of a pattern at a pressure [Pa], with which the film is fitted; else it is not
+    Raises InputError where the photograph shows another thing, or has no scale to fit the film by.
     """
-    if fitted and shape.scale is None:
+    if inflate is not None and shape.scale is None:
         raise InputError(
-            f"With --scale {FIT} the size tells nothing of the film: give the scale of the photograph to fit it."
+            f"With --scale {FIT} the size tells nothing of the film: give the photograph's scale to fit it."
         )
-    candidates = [expected_of(part.design, part.pattern, rim) for part in balloon.parts]
+    candidates = [expected_of(design, pattern, rim) for design, pattern in balloons]
     comparison = compare(shape, candidates)
-    if not fitted or shape.scale is None:
+    if inflate is None or shape.scale is None:
         return Compared(comparison, None)
     chosen = next(k for k, each in enumerate(candidates) if each is comparison.expected)
-    return Compared(
-        comparison, _fit(comparison, balloon.parts[chosen], balloon.settings, rim, shape.scale, progress)
+    design = balloons[chosen][0]
+    step, pressure = _STEP * max(design.pattern.size), design.inflation.report.pressure
+    usual, narrower = (
+        with_rim(inflate(seam, pressure).silhouette, rim)
+        for seam in (design.pattern, _narrower(design.pattern, step))  # on meshes alike
     )
-
-
-def _fit(
-    comparison: Comparison,
-    part: Part,
-    settings: Settings,
-    rim: float,
-    scale: PhotoScale,
-    progress: Progress,
-) -> FilmFit:
-    """What the same pattern gives with its seam where it is, and further inside, on meshes alike."""
-    seam, step = part.design.pattern, _STEP * max(part.design.pattern.size)
-    rims = []
-    for each in (seam, _narrower(seam, step)):
-        blown = inflate_outline(
-            each,
-            settings.film,
-            part.design.inflation.report.pressure,
-            mesh_size=settings.mesh_size,
-            backend=settings.backend,
-            model=settings.model,
-            progress=progress,
-        )
-        rims.append(with_rim(blown.silhouette, rim))
-    return fit_film(comparison, rims[0], rims[1], step, scale)
+    return Compared(comparison, fit_film(comparison, usual, narrower, step, shape.scale))
 
 
 def _narrower(seam: Outline, step: float) -> Outline:
@@ -111,17 +90,11 @@ def _narrower(seam: Outline, step: float) -> Outline:
     return seam.with_loops(loops, seam.welds)
 
 
-def compare_cut(shape: SeenShape, outlines: Sequence[Outline]) -> Compared:
-    """A flat panel beside what was to be cut: the outer line of the outline that it is most like."""
-    return Compared(compare(shape, [Expected(Outline(outline.outer)) for outline in outlines]), None)
-
-
-def cut_outlines(path: str | Path) -> tuple[Outline, ...]:
-    """What was cut, of an SVG or DXF that has it as it is written, such as pattern.dxf.
-
-    Raises InputError and MissingPackageError as read_vector does.
+def compare_cut(shape: SeenShape, path: str | Path) -> Compared:
+    """A flat panel beside what was to be cut: the outer line that it is most like, of an SVG or DXF in real
+    size such as pattern.dxf. Raises InputError and MissingPackageError as read_outermost does.
     """
-    return read_vector(path).parts
+    return Compared(compare(shape, [Expected(outline) for outline in read_outermost(path)]), None)
 
 
 def compared_files(compared: Compared, say: Say = in_english) -> dict[str, bytes]:

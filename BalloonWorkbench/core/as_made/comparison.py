@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from BalloonWorkbench.core.as_made.photograph import SeenShape
-from BalloonWorkbench.core.as_made.placement import Neck, Placement, in_necks, place
+from BalloonWorkbench.core.as_made.placement import NEARER, IntakeZone, Placement, in_necks, place
 from BalloonWorkbench.core.design.compare import Misfit, far_stretches, misfit
 from BalloonWorkbench.core.design.design import Design, FarStretch, Residual
 from BalloonWorkbench.core.errors import InputError
@@ -35,7 +35,7 @@ class Expected:
     """What a photograph should show [m]; around necks nothing is compared."""
 
     outline: Outline
-    necks: tuple[Neck, ...] = ()
+    necks: tuple[IntakeZone, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -74,17 +74,22 @@ def compare(shape: SeenShape, candidates: Sequence[Expected]) -> Comparison:
             " right photograph."
         )
     shapes = [_with_holes(seen, each.outline) for each in alike]
-    placements = [
-        place(own, each.outline, each.necks, sized=sized) for own, each in zip(shapes, alike, strict=True)
-    ]
-    best = min(range(len(alike)), key=lambda number: placements[number].mean / max(alike[number].outline.size))
-    expected, placement = alike[best], placements[best]
-    if placement.mean > _UNLIKE * max(expected.outline.size):
+    laid = []
+    for own, each in zip(shapes, alike, strict=True):
+        placement = place(own, each.outline, each.necks, sized=sized)
+        laid.append(compared(placement.outline(own), each, placement, shape.remarks))
+    best = min(laid, key=lambda each: _unlike(each) / (NEARER if each.placement.mirrored else 1.0))
+    if _unlike(best) > _UNLIKE:
         raise InputError(
-            "No shape in the photograph is like the one that was expected: take it straight from the front, on a"
-            " plain background without anything else in it."
+            "No shape in the photograph is like the one that was expected: take it straight from the front,"
+            " on a plain background without anything else in it."
         )
-    return compared(placement.outline(shapes[best]), expected, placement, shape.remarks)
+    return best
+
+
+def _unlike(comparison: Comparison) -> float:
+    """The mean difference in parts of the size."""
+    return comparison.residual.mean / max(comparison.expected.outline.size)
 
 
 def compared(
@@ -118,7 +123,9 @@ def _alike(seen: Outline, expected: Outline) -> bool:
 def _with_holes(seen: Outline, expected: Outline) -> Outline:
     """The seen outline with those of its holes that are no glare: as large in it as one that is expected."""
     whole = Outline(seen.outer).area
-    least = min((-Outline(hole).area / Outline(expected.outer).area for hole in expected.holes), default=np.inf)
+    least = min(
+        (-Outline(hole).area / Outline(expected.outer).area for hole in expected.holes), default=np.inf
+    )
     holes = sorted((hole for hole in seen.holes if -Outline(hole).area > _HOLE * least * whole), key=_area)
     return Outline(seen.outer, tuple(holes[: len(expected.holes)]))
 
@@ -158,5 +165,5 @@ def expected_of(design: Design, pattern: Pattern, rim: float) -> Expected:
         seam = np.concatenate(design.inflation.panel.loops)
         root = seam[int(np.argmin(np.linalg.norm(rest[seam] - intake.at, axis=1)))]
         foot = nearest_places([outline.outer], design.inflation.positions[root, :2][None])[0]
-        necks.append(Neck(foot, _BESIDE_NECK * intake.width + 2.0 * rim))
+        necks.append(IntakeZone(foot, _BESIDE_NECK * intake.width + 2.0 * rim))
     return Expected(outline, tuple(necks))

@@ -95,6 +95,6 @@ def _fit_lines(fit: FilmFit) -> list[str]:
     if fit.apart:
         return [f"Stretch of the film: {stretch}", f"The weld draws the seam inward by {shrinkage}"]
     return [
-        "This shape does not tell a stretch of the film from a weld that draws the seam inward: it is either a"
-        f" stretch of {stretch}, or a weld that draws it inward by {shrinkage}."
+        "This shape does not tell a stretch of the film from a weld that draws the seam inward: it is either"
+        f" a stretch of {stretch}, or a weld that draws it inward by {shrinkage}."
     ]

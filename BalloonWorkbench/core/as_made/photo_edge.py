@@ -47,7 +47,7 @@ def at_half(rgba: NDArray[np.uint8], loop: Floats) -> Floats:
 
 
 def _crossing(shares: Floats, offsets: Floats) -> Floats:
-    """Where rows of shares (n, k) fall below one half nearest to the middle, as offsets (n,); 0 for nowhere."""
+    """Where rows of shares (n, k) fall below one half nearest to the middle, as offsets (n,); 0: nowhere."""
     falls = (shares[:, :-1] > 0.5) & (shares[:, 1:] <= 0.5)
     nearest = np.argmin(np.where(falls, np.abs(offsets[:-1] + 0.5 * _STEP), np.inf), axis=1)
     rows = np.arange(len(shares))
@@ -57,7 +57,7 @@ def _crossing(shares: Floats, offsets: Floats) -> Floats:
 
 
 def _sampled(rgba: NDArray[np.uint8], places: Floats) -> Floats:
-    """Colours (..., 3) between the centres of pixels at places (..., 2), y up; those beyond are the border's."""
+    """Colours (..., 3) between the centres of pixels at places (..., 2), y up; beyond it the border's."""
     height, width = rgba.shape[:2]
     x = np.clip(places[..., 0] - 0.5, 0.0, width - 1.0)
     y = np.clip(height - 0.5 - places[..., 1], 0.0, height - 1.0)

@@ -7,7 +7,7 @@ import math
 from dataclasses import dataclass
 
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.units import length_text, parse_length
+from BalloonWorkbench.core.units import length_text, number_text, parse_length
 
 #: In the place of a scale: the size is what fits best.
 FIT = "fit"
@@ -45,7 +45,7 @@ def parse_photo_scale(text: str) -> PhotoScale | None:
     pixels = abs(values[0]) if len(values) == 1 else math.dist(values[:2], values[2:])
     if pixels < _MARKED or not 0.0 < metres < math.inf:
         raise InputError(
-            f"The scale of {length_text(metres)} over {pixels:g} pixels has no length: mark two points that are"
-            " far apart, and give the distance between them."
+            f"The scale of {length_text(metres)} over {number_text(pixels)} pixels has no length: mark two"
+            " points that are far apart, and give the distance between them."
         )
     return PhotoScale(metres / pixels, math.sqrt(2.0) * _MARKED / pixels)

@@ -12,9 +12,10 @@ from numpy.typing import NDArray
 from BalloonWorkbench.core.as_made.photo_edge import at_half
 from BalloonWorkbench.core.as_made.photo_scale import PhotoScale
 from BalloonWorkbench.core.as_made.shadows import without_shadows
-from BalloonWorkbench.core.errors import PictureError
+from BalloonWorkbench.core.errors import InputError, PictureError
 from BalloonWorkbench.core.files.foreign_reader import foreign_reader
 from BalloonWorkbench.core.geometry.polyline import bounds
+from BalloonWorkbench.core.outline.budget import Budget
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.tracing.picture import Decode, damaged, placed_drawing, shrunk
 from BalloonWorkbench.core.tracing.picture_file import decode as decode_with_opencv
@@ -23,6 +24,8 @@ from BalloonWorkbench.core.tracing.segment import SHAPE
 
 #: Of the area that stands out, what is left without shadows is the balloon; less of it, and it is grey.
 _COLOURED, _UNSHADED = 0.5, 0.995
+#: For reading it: a shape on a plain background takes a tenth of it [s].
+_SECONDS = 3.0
 #: A shape nearer than this to the border is cut off there [px].
 _BESIDE = 1.0
 
@@ -77,7 +80,14 @@ def shape_of(rgba: NDArray[np.uint8]) -> Outline:
 
 def _largest(rgba: NDArray[np.uint8]) -> tuple[Outline, NDArray[np.float64]]:
     """The largest shape, and where its origin lies in the picture."""
-    drawing, corner = placed_drawing(rgba, drawn_as=SHAPE)
+    try:
+        drawing, corner = placed_drawing(rgba, drawn_as=SHAPE, budget=Budget(_SECONDS))
+    except PictureError:
+        raise
+    except InputError as error:
+        raise PictureError(
+            "The photograph shows too many shapes: take one of the balloon alone, on a plain background."
+        ) from error
     return replace(drawing.largest, notes=()), corner
 
 
@@ -88,6 +98,6 @@ def _check_border(outline: Outline, corner: NDArray[np.float64], shape: tuple[in
     sides = [side for side, away in margins.items() if away < _BESIDE]
     if sides:
         raise PictureError(
-            f"The shape touches the {' and the '.join(sides)} border of the photograph: take one that shows all"
-            " of it on a plain background."
+            f"The shape touches the {' and the '.join(sides)} border of the photograph: take one that shows"
+            " all of it on a plain background."
         )

@@ -29,11 +29,11 @@ _TOLERANCE = 1e-5
 #: Differences beyond so many times the median count less, but never those below a micrometre.
 _OUTLYING, _LEAST = 3.0, 1e-6
 #: The mirror image must lie so much nearer to be taken.
-_NEARER = 0.5
+NEARER = 0.5
 
 
 @dataclass(frozen=True)
-class Neck:
+class IntakeZone:
     """A place of an outline around which nothing is compared: within reach [m] of it an intake sticks out."""
 
     place: Floats
@@ -79,7 +79,9 @@ class Placement:
         return Outline(self(seen.outer)[::-1], tuple(self(hole)[::-1] for hole in seen.holes))
 
 
-def place(seen: Outline, goal: Outline, necks: tuple[Neck, ...] = (), *, sized: bool = False) -> Placement:
+def place(
+    seen: Outline, goal: Outline, necks: tuple[IntakeZone, ...] = (), *, sized: bool = False
+) -> Placement:
     """How an outline with its holes lies nearest to another one; sized: also made larger.
 
     The smallest turn of those that are equally good; mirrored only where that is far better.
@@ -91,13 +93,13 @@ def place(seen: Outline, goal: Outline, necks: tuple[Neck, ...] = (), *, sized: 
         ends = [fit.fitted(start, _TRIAL) for start in begun[:_TRIED]]
         best.append(min(ends, key=lambda end: end.mean * (1.0 + 1e-3 * abs(end.turn))))
     upright, mirrored = best
-    return fit.fitted(mirrored if mirrored.mean < _NEARER * upright.mean else upright, _FINE)
+    return fit.fitted(mirrored if mirrored.mean < NEARER * upright.mean else upright, _FINE)
 
 
 class _Fit:
     """One outline to be laid on another."""
 
-    def __init__(self, seen: Outline, goal: Outline, necks: tuple[Neck, ...], sized: bool) -> None:
+    def __init__(self, seen: Outline, goal: Outline, necks: tuple[IntakeZone, ...], sized: bool) -> None:
         self._seen, self._necks, self._sized = seen, necks, sized
         self._size = extent(goal.outer)
         self._goal = [simplify(loop, _TOLERANCE * self._size) for loop in goal.loops]
@@ -116,7 +118,7 @@ class _Fit:
         middle = centroid([self._seen.outer])
         starts = []
         for angle in np.arange(_ANGLES) * (2.0 * np.pi / _ANGLES):
-            matrix = self._factor * rotation(float(angle)).T @ mirror
+            matrix: Floats = self._factor * (rotation(float(angle)).T @ mirror)
             shift = self._centre - matrix @ middle
             away = nearest_on_loops(self._goal, points @ matrix.T + shift).distance
             turned = min(angle, 2.0 * np.pi - angle)
@@ -155,12 +157,12 @@ class _Fit:
         return rotation(float(moves[2])).T * size, moves[:2], centre
 
 
-def in_necks(places: Floats, necks: tuple[Neck, ...]) -> Bools:
+def in_necks(places: Floats, necks: tuple[IntakeZone, ...]) -> Bools:
     """Which of places (k, 2) of the goal are at a neck."""
     return np.any([np.zeros(len(places), dtype=bool), *(neck.near(places) for neck in necks)], axis=0)
 
 
-def weights_of(missing: Floats, goals: Floats, necks: tuple[Neck, ...]) -> Floats:
+def weights_of(missing: Floats, goals: Floats, necks: tuple[IntakeZone, ...]) -> Floats:
     """By what rows of a fit are multiplied: 1, less for what lies far off, 0 at necks."""
     kept = ~in_necks(goals, necks)
     usual = _OUTLYING * float(np.median(np.abs(missing[kept]))) if kept.any() else 0.0

@@ -289,7 +289,7 @@ def _check_laser(machine: Machine) -> None:
             )
         if project and any(other.pen == line.pen and other.laser != line.laser for other in lines):
             raise InputError(
-                f"layer {line.pen} of the LightBurn project has two speeds or powers: give its lines the same."
+                f"layer {line.pen} of the LightBurn project has two speeds or powers: give its roles one."
             )
 
 

@@ -155,7 +155,7 @@ def test_nothing_is_said_of_speed_and_power_that_nobody_gave(pattern: Pattern, t
     _, plain = checked_files(pattern, [machine("lightburn-project")])
     assert any("for CUT, CUT_INNER, NOTCH, so" in remark for remark in plain)
     known = {"speed_mm_s": 5, "max_power_percent": 80, "min_power_percent": 20, "passes": 2}
-    all_known = project_machine(tmp_path, {role: known for role in ("CUT", "CUT_INNER", "NOTCH")})
+    all_known = project_machine(tmp_path, dict.fromkeys(("CUT", "CUT_INNER", "NOTCH"), known))
     contents, remarks = checked_files(pattern, [all_known])
     assert not any("power" in remark for remark in remarks)
     said = read_project(next(iter(contents.values()))).layers[1].others
