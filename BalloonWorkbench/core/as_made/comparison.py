@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from BalloonWorkbench.core.as_made.photograph import SeenShape
-from BalloonWorkbench.core.as_made.placement import NEARER, IntakeZone, Placement, in_necks, place
+from BalloonWorkbench.core.as_made.placement import NEARER, IntakeZone, Placement, in_necks, place, settle
 from BalloonWorkbench.core.design.compare import Misfit, far_stretches, misfit
 from BalloonWorkbench.core.design.design import Design, FarStretch, Residual
 from BalloonWorkbench.core.errors import InputError
@@ -17,6 +17,7 @@ from BalloonWorkbench.core.geometry.areas import loop_of, parts
 from BalloonWorkbench.core.geometry.nearest import nearest_places
 from BalloonWorkbench.core.geometry.polyline import arc_lengths, point_at
 from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.pattern import Pattern
 from BalloonWorkbench.core.pattern.shapes import offset, polygon
 from BalloonWorkbench.core.types import Floats
@@ -26,6 +27,8 @@ from BalloonWorkbench.core.units import size_text
 _LARGER, _UNLIKE = 1.6, 0.08
 #: Around an intake nothing is compared: of its width on either side.
 _BESIDE_NECK = 0.75
+#: What sticks out there by more than this part of its reach is taken off, with a hair that parts lines [m].
+_STUB, _HAIR = 0.5, 1e-6
 #: A hole of the photograph is one of the balloon where it has about its area; else it is a glare.
 _HOLE = 0.4
 
@@ -46,7 +49,8 @@ class Comparison:
     placement  how it came there; placement.size is 1 unless the size was to be fitted
     residual   two-way distances, without those at necks
     stretches  where they are far apart, the farthest first
-    offset     by how much the seen one is larger all round
+    size       width and height of the seen one, without what is in an intake's zone
+    offset     by how much it is larger all round
     """
 
     expected: Expected
@@ -54,6 +58,7 @@ class Comparison:
     placement: Placement
     residual: Residual
     stretches: tuple[FarStretch, ...]
+    size: tuple[float, float]
     offset: float
     remarks: tuple[str, ...]
 
@@ -77,7 +82,12 @@ def compare(shape: SeenShape, candidates: Sequence[Expected]) -> Comparison:
     laid = []
     for own, each in zip(shapes, alike, strict=True):
         placement = place(own, each.outline, each.necks, sized=sized)
-        laid.append(compared(placement.outline(own), each, placement, shape.remarks))
+        placed = placement.outline(own)
+        if each.necks:
+            placed = _without_necks(placed, each)
+            settled = settle(placed, each.outline, each.necks, sized=sized)
+            placement, placed = placement.then(settled), settled.outline(placed)
+        laid.append(compared(placed, each, placement, shape.remarks))
     best = min(laid, key=lambda each: _unlike(each) / (NEARER if each.placement.mirrored else 1.0))
     if _unlike(best) > _UNLIKE:
         raise InputError(
@@ -110,9 +120,29 @@ def compared(
         placement,
         apart.residual,
         far_stretches(expected.outline, apart),
+        _size_without(seen, expected),
         (seen.area - expected.outline.area) / expected.outline.perimeter,
         tuple(remarks),
     )
+
+
+def _without_necks(seen: Outline, expected: Expected) -> Outline:
+    """An outline in its place without what sticks out far at an intake."""
+    package = shapely()
+    whole, goal = package.Polygon(seen.outer), package.Polygon(expected.outline.outer)
+    for neck in expected.necks:
+        root = package.Point(neck.place)
+        for out in parts(whole.difference(goal.buffer(_STUB * neck.reach))):
+            if out.distance(root) < neck.reach:
+                whole = parts(whole.difference(out.buffer(_HAIR)))[0]
+    return Outline(loop_of(whole.exterior), seen.holes)
+
+
+def _size_without(seen: Outline, expected: Expected) -> tuple[float, float]:
+    """Width and height of an outline without what is in an intake's zone."""
+    zones = in_necks(nearest_places([expected.outline.outer], seen.outer), expected.necks)
+    width, height = np.ptp(seen.outer if zones.all() else seen.outer[~zones], axis=0)
+    return float(width), float(height)
 
 
 def _alike(seen: Outline, expected: Outline) -> bool:

@@ -10,7 +10,6 @@ import numpy as np
 
 from BalloonWorkbench.core.as_made.comparison import Comparison
 from BalloonWorkbench.core.as_made.film_fit import FilmFit
-from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import length_text, number_text, percent_text, place_text, size_text, to_mm
 
@@ -24,8 +23,8 @@ def comparison_bytes(comparison: Comparison, fit: FilmFit | None) -> bytes:
         "schema": _SCHEMA,
         "difference": {"mean_mm": to_mm(apart.mean), "p95_mm": to_mm(apart.p95), "max_mm": to_mm(apart.max)},
         "offset_mm": to_mm(comparison.offset),
-        "expected": _size(comparison.expected.outline),
-        "seen": _size(comparison.seen),
+        "expected": _size(comparison.expected.outline.size),
+        "seen": _size(comparison.size),
         "placement": {
             "turn_deg": float(np.degrees(placement.turn)),
             "size_factor": placement.size,
@@ -62,9 +61,8 @@ def fit_data(fit: FilmFit) -> dict[str, Any]:
     }
 
 
-def _size(outline: Outline) -> dict[str, float]:
-    width, height = outline.size
-    return {"width_mm": to_mm(width), "height_mm": to_mm(height)}
+def _size(size: tuple[float, float]) -> dict[str, float]:
+    return {"width_mm": to_mm(size[0]), "height_mm": to_mm(size[1])}
 
 
 def _rounded(points: Floats) -> Any:
@@ -75,7 +73,7 @@ def comparison_lines(comparison: Comparison, fit: FilmFit | None) -> list[str]:
     """What was seen, a sentence each."""
     apart, expected = comparison.residual, comparison.expected.outline
     lines = [
-        f"As made: {size_text(*comparison.seen.size)}, expected: {size_text(*expected.size)}",
+        f"As made: {size_text(*comparison.size)}, expected: {size_text(*expected.size)}",
         f"Difference: {length_text(apart.mean, 2)} in the mean, {length_text(apart.p95, 2)} for 95 %,"
         f" {length_text(apart.max, 2)} at most",
     ]

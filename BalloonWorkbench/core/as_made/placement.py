@@ -72,6 +72,10 @@ class Placement:
         """Points (n, 2) where they lie over the goal."""
         return np.asarray(points @ self.matrix.T + self.shift)
 
+    def then(self, other: Placement) -> Placement:
+        """This one, and another one after it."""
+        return Placement(other.matrix @ self.matrix, other.matrix @ self.shift + other.shift, other.mean)
+
     def outline(self, seen: Outline) -> Outline:
         """An outline there, oriented as an outline is."""
         if not self.mirrored:
@@ -94,6 +98,14 @@ def place(
         best.append(min(ends, key=lambda end: end.mean * (1.0 + 1e-3 * abs(end.turn))))
     upright, mirrored = best
     return fit.fitted(mirrored if mirrored.mean < NEARER * upright.mean else upright, _FINE)
+
+
+def settle(
+    seen: Outline, goal: Outline, necks: tuple[IntakeZone, ...] = (), *, sized: bool = False
+) -> Placement:
+    """The same for an outline that nearly lies where it should."""
+    start = Placement(np.eye(2), np.zeros(2), np.inf)
+    return _Fit(seen, goal, necks, sized).fitted(start, _FINE)
 
 
 class _Fit:
