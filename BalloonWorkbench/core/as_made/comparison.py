@@ -121,19 +121,20 @@ def compared(
         apart.residual,
         far_stretches(expected.outline, apart),
         _size_without(seen, expected),
-        (seen.area - expected.outline.area) / expected.outline.perimeter,
+        2.0 * (seen.area - expected.outline.area) / (seen.perimeter + expected.outline.perimeter),
         tuple(remarks),
     )
 
 
 def _without_necks(seen: Outline, expected: Expected) -> Outline:
-    """An outline in its place without what sticks out far at an intake."""
+    """An outline in its place without what sticks out far at an intake, on a foot no wider than its zone."""
     package = shapely()
     whole, goal = package.Polygon(seen.outer), package.Polygon(expected.outline.outer)
     for neck in expected.necks:
-        root = package.Point(neck.place)
-        for out in parts(whole.difference(goal.buffer(_STUB * neck.reach))):
-            if out.distance(root) < neck.reach:
+        root, near = package.Point(neck.place), goal.buffer(_STUB * neck.reach)
+        for out in parts(whole.difference(near)):
+            foot = out.boundary.intersection(near.buffer(_HAIR))
+            if out.distance(root) < neck.reach and foot.length < 2.0 * neck.reach:
                 whole = parts(whole.difference(out.buffer(_HAIR)))[0]
     return Outline(loop_of(whole.exterior), seen.holes)
 

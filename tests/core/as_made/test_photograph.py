@@ -72,7 +72,8 @@ def test_the_distances_are_those_of_another_library() -> None:
     one, other = (shapely.LinearRing(each.outer) for each in (wrong.seen, wrong.expected.outline))
     assert wrong.residual.max == pytest.approx(shapely.hausdorff_distance(one, other, 0.002), abs=0.02e-3)
     assert wrong.offset == pytest.approx(
-        (shapely.Polygon(one).area - shapely.Polygon(other).area) / other.length, rel=1e-6
+        2.0 * (shapely.Polygon(one).area - shapely.Polygon(other).area) / (one.length + other.length),
+        rel=1e-6,
     )
     away = [shapely.distance(a, shapely.Point(b.interpolate(share, normalized=True)))
             for a, b in ((one, other), (other, one)) for share in np.linspace(0.0, 1.0, 400)]  # fmt: skip
