@@ -44,7 +44,7 @@ def run(options: argparse.Namespace, say: Say) -> int:
     try:
         shape = read_photograph(options.photo, scale, picture_reader())
         compared, files = (_flat if options.flat else _inflated)(options, shape, partial(_show, line, say))
-        contents = compared_files(compared, say) | files
+        contents = compared_files(compared) | files
     finally:
         line.clear()
     paths = write_files(options.out, contents)

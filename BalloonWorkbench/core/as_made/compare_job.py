@@ -29,7 +29,6 @@ from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.pattern import Pattern
 from BalloonWorkbench.core.pattern.shapes import offset, polygon
 from BalloonWorkbench.core.readers.vector import read_outermost
-from BalloonWorkbench.core.types import Say, in_english
 
 #: How much further inside the seam is tried, in parts of the balloon's size.
 _STEP = 0.004
@@ -97,9 +96,9 @@ def compare_cut(shape: SeenShape, path: str | Path) -> Compared:
     return Compared(compare(shape, [Expected(outline) for outline in read_outermost(path)]), None)
 
 
-def compared_files(compared: Compared, say: Say = in_english) -> dict[str, bytes]:
+def compared_files(compared: Compared) -> dict[str, bytes]:
     """Contents of the files of a comparison, by name. MissingPackageError without what draws the picture."""
     return {
-        "compare.png": comparison_png(compared.comparison, say),
+        "compare.png": comparison_png(compared.comparison),
         "compare.json": comparison_bytes(compared.comparison, compared.fit),
     }

@@ -49,7 +49,7 @@ class Comparison:
     placement  how it came there; placement.size is 1 unless the size was to be fitted
     residual   two-way distances, without those at necks
     stretches  where they are far apart, the farthest first
-    size       width and height of the seen one, without what is in an intake's zone
+    size       width and height of the seen one, expected_size of the other, without an intake's zone
     offset     by how much it is larger all round
     """
 
@@ -59,6 +59,7 @@ class Comparison:
     residual: Residual
     stretches: tuple[FarStretch, ...]
     size: tuple[float, float]
+    expected_size: tuple[float, float]
     offset: float
     remarks: tuple[str, ...]
 
@@ -121,6 +122,7 @@ def compared(
         apart.residual,
         far_stretches(expected.outline, apart),
         _size_without(seen, expected),
+        _size_without(expected.outline, expected),
         2.0 * (seen.area - expected.outline.area) / (seen.perimeter + expected.outline.perimeter),
         tuple(remarks),
     )

@@ -22,7 +22,7 @@ from BalloonWorkbench.core.pictures.cards import (
     cards_png,
     scale_bar,
 )
-from BalloonWorkbench.core.types import Floats, Say, in_english
+from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import length_text, to_mm
 
 _EXPECTED, _SEEN, _MORE, _LESS, _FARTHEST = "#39424f", "#d81e3f", "#e8590c", "#1971c2", "#6a3fc4"
@@ -31,18 +31,18 @@ _MARGIN = 26
 _MARK = 26.0
 
 
-def comparison_png(comparison: Comparison, say: Say = in_english) -> bytes:
+def comparison_png(comparison: Comparison) -> bytes:
     """A PNG of 1800 x 1000 pixels; the same bytes for the same comparison. MissingPackageError."""
 
     def draw(canvas: PreviewCanvas) -> None:
-        title = say("As made over what was expected")
+        title = "As made over what was expected"
         card = PreviewCard(canvas, _MARGIN, _MARGIN, WIDTH - 2 * _MARGIN, HEIGHT - 2 * _MARGIN, title)
-        _draw(card, comparison, say)
+        _draw(card, comparison)
 
     return cards_png(draw)
 
 
-def _draw(card: PreviewCard, comparison: Comparison, say: Say) -> None:
+def _draw(card: PreviewCard, comparison: Comparison) -> None:
     expected, seen = comparison.expected.outline, comparison.seen
     points = to_mm(np.concatenate([expected.outer, seen.outer]))
     frame = CardFrame(*bounds(points), card.inside(420, 90, 60, 80))
@@ -58,23 +58,21 @@ def _draw(card: PreviewCard, comparison: Comparison, say: Say) -> None:
         card.lines([circle + frame(to_mm(stretch.place[None]))], _FARTHEST, 2.0)
     apart = comparison.residual
     lines = [
-        (_EXPECTED, say("expected")),
-        (_SEEN, say("as made")),
-        (_MORE, say("as made is larger")),
-        (_LESS, say("as made is smaller")),
+        (_EXPECTED, "expected"),
+        (_SEEN, "as made"),
+        (_MORE, "as made is larger"),
+        (_LESS, "as made is smaller"),
     ]
     if comparison.stretches:
-        lines.append((_FARTHEST, say("farthest off")))
+        lines.append((_FARTHEST, "farthest off"))
     for number, (colour, text) in enumerate(lines):
         height = card.height - 110 - 34 * number
         card.lines([np.array([(28, height), (64, height)])], colour, 4.0)
         card.text(76, height, text, 12, INK)
     scale_bar(card, frame.scale)
     card.caption(
-        say(
-            f"{length_text(apart.mean, 2)} off in the mean, {length_text(apart.p95, 2)} for 95 %,"
-            f" {length_text(apart.max, 2)} at most"
-        )
+        f"{length_text(apart.mean, 2)} off in the mean, {length_text(apart.p95, 2)} for 95 %,"
+        f" {length_text(apart.max, 2)} at most"
     )
 
 

@@ -23,7 +23,7 @@ def comparison_bytes(comparison: Comparison, fit: FilmFit | None) -> bytes:
         "schema": _SCHEMA,
         "difference": {"mean_mm": to_mm(apart.mean), "p95_mm": to_mm(apart.p95), "max_mm": to_mm(apart.max)},
         "offset_mm": to_mm(comparison.offset),
-        "expected": _size(comparison.expected.outline.size),
+        "expected": _size(comparison.expected_size),
         "seen": _size(comparison.size),
         "placement": {
             "turn_deg": float(np.degrees(placement.turn)),
@@ -71,9 +71,9 @@ def _rounded(points: Floats) -> Any:
 
 def comparison_lines(comparison: Comparison, fit: FilmFit | None) -> list[str]:
     """What was seen, a sentence each."""
-    apart, expected = comparison.residual, comparison.expected.outline
+    apart = comparison.residual
     lines = [
-        f"As made: {size_text(*comparison.size)}, expected: {size_text(*expected.size)}",
+        f"As made: {size_text(*comparison.size)}, expected: {size_text(*comparison.expected_size)}",
         f"Difference: {length_text(apart.mean, 2)} in the mean, {length_text(apart.p95, 2)} for 95 %,"
         f" {length_text(apart.max, 2)} at most",
     ]

@@ -26,6 +26,8 @@ from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.types import Floats
 
 _SAMPLES, _REWEIGHED = 800, 12
+#: How well the edge of the balloon is known all round [px].
+_EDGE = 0.1
 #: From this correlation on, the shape does not tell the two apart.
 _ALIKE = 0.97
 
@@ -55,13 +57,18 @@ def fit_film(
     usual, narrower  what is expected of the pattern, and of one with its seam `step` [m] further inside
     """
     expected, necks = comparison.expected.outline, comparison.expected.necks
-    places = evenly(expected.outer, expected.perimeter / _SAMPLES)
-    outward = -left_normals(places)
-    seen = _across(places, outward, comparison.seen.outer)
-    away = places - centroid([expected.outer])
+    outlines = [expected, comparison.seen, usual, narrower]
+    count = 1 + min(len(outline.holes) for outline in outlines)
+    if count <= len(expected.holes):  # not all are seen
+        count = 1
+    loops, goals, before, after = ([outline.outer, *outline.holes][:count] for outline in outlines)
+    along = [evenly(loop, expected.perimeter / _SAMPLES) for loop in loops]
+    places, outward = np.concatenate(along), np.concatenate([-left_normals(each) for each in along])
+    seen = _across(places, outward, goals)
+    away = places - centroid(loops[:1])
     moves = np.column_stack([outward, np.einsum("ij,ij->i", perpendicular(away), outward)])
     stretch = np.einsum("ij,ij->i", away, outward)
-    shrinkage = (_across(places, outward, narrower.outer) - _across(places, outward, usual.outer)) / step
+    shrinkage = (_across(places, outward, after) - _across(places, outward, before)) / step
     solved = partial(_solved, goals=seen, weigh=lambda missing: weights_of(missing, places, necks))
     both = solved(np.column_stack([stretch, shrinkage, moves]), count=2)
     correlation = abs(both.covariance[0, 1]) / np.sqrt(both.covariance[0, 0] * both.covariance[1, 1])
@@ -73,21 +80,22 @@ def fit_film(
         values = np.array([each.values[0] for each in alone])
         errors = np.array([np.sqrt(each.covariance[0, 0]) for each in alone])
         left = min(each.left for each in alone)
-    slip = scale.uncertainty
-    beside = slip * float(np.abs(stretch).mean() / max(np.abs(shrinkage).mean(), 1e-9))
+    follows = max(float(np.abs(shrinkage).mean()), 1e-9)
+    edge = _EDGE * scale.pixel / follows
+    slip = 0.0 if apart else float(np.abs(stretch).mean()) * scale.uncertainty / follows
     return FilmFit(
         float(values[0]),
-        float(np.hypot(errors[0], slip)),
+        float(np.hypot(errors[0], scale.uncertainty)),
         float(values[1]),
-        float(errors[1] if apart else np.hypot(errors[1], beside)),
+        float(np.sqrt(errors[1] ** 2 + edge**2 + slip**2)),
         apart,
         left,
     )
 
 
-def _across(places: Floats, outward: Floats, loop: Floats) -> Floats:
-    """How far outside of places (k, 2) a loop runs, along their normals [m]."""
-    return np.asarray(np.einsum("ij,ij->i", nearest_places([loop], places) - places, outward))
+def _across(places: Floats, outward: Floats, loops: list[Floats]) -> Floats:
+    """How far outside of places (k, 2) loops run, along their normals [m]."""
+    return np.asarray(np.einsum("ij,ij->i", nearest_places(loops, places) - places, outward))
 
 
 @dataclass(frozen=True)

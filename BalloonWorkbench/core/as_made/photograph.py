@@ -64,6 +64,9 @@ def read_photograph(path: str | Path, scale: PhotoScale | None, decode: Decode |
 def shape_of(rgba: NDArray[np.uint8]) -> Outline:
     """The largest shape in pixels (h, w, 4), in pixels, with notes on shadows."""
     outline, corner = _largest(rgba)
+    if (rgba[..., 3] < 128).any():  # cut out by a program: there are no shadows, and the edge is known
+        _check_border(outline, corner, rgba.shape[:2])
+        return outline
     note = ""
     try:
         lit, lit_corner = _largest(without_shadows(rgba))

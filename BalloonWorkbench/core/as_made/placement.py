@@ -20,8 +20,8 @@ from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.types import Bools, Floats
 
 _ANGLES = 72
-#: So many of them, and of their mirror images, are tried to the end.
-_TRIED = 3
+#: So many of them that are better than those beside them are tried to the end; a star has as many as tips.
+_TRIED = 6
 _ROUGH, _TRIAL, _FINE = 120, 300, 800  # points along an outline, when it is laid down, tried, and placed
 _STEPS, _STILL = 40, 1e-6  # of a fit; moves of this part of the size end it
 #: How far a goal may be off when it is simplified, in parts of its size.
@@ -93,7 +93,10 @@ def place(
     fit = _Fit(seen, goal, necks, sized)
     best: list[Placement] = []
     for mirror in (np.eye(2), np.diag([-1.0, 1.0])):
-        begun = sorted(fit.starts(mirror), key=lambda placement: placement.mean)
+        starts = fit.starts(mirror)
+        means = np.array([start.mean for start in starts])
+        lowest = np.flatnonzero((means <= np.roll(means, 1)) & (means <= np.roll(means, -1)))
+        begun = sorted((starts[number] for number in lowest), key=lambda start: start.mean)
         ends = [fit.fitted(start, _TRIAL) for start in begun[:_TRIED]]
         best.append(min(ends, key=lambda end: end.mean * (1.0 + 1e-3 * abs(end.turn))))
     upright, mirrored = best

@@ -193,3 +193,31 @@ def test_a_large_photograph_keeps_its_scale(tmp_path: Path) -> None:
     shape = read_photograph(tmp_path / "photo.png", PhotoScale(0.00012, 0.0))
     comparison = compare(shape, [Expected(Outline(FLAG))])
     assert comparison.residual.mean < 0.05e-3
+
+
+def test_of_turns_that_are_nearly_equal_the_best_is_found() -> None:
+    """A star of six tips one of which is a little longer."""
+    angles = np.arange(12) * np.pi / 6.0
+    radii = np.where(np.arange(12) % 2, 0.04, 0.09)
+    radii[6] += 0.002
+    star = radii[:, None] * np.column_stack([np.cos(angles), np.sin(angles)])
+    comparison = over([star], turn=130.0)
+    assert np.degrees(comparison.placement.turn) == pytest.approx(-130.0, abs=0.1)
+    assert comparison.residual.mean < 0.06e-3
+
+
+def test_a_picture_that_is_cut_out_has_no_background() -> None:
+    """What its clear pixels would show is not looked at."""
+    pixels = photograph([FLAG], turn=20.0)
+    shape = photograph([FLAG], turn=20.0, colour=(0, 0, 0), paper=(255, 255, 255))
+    pixels[..., 3] = 255 - shape[..., 0]
+    outline = shape_of(pixels).map(lambda loop: loop * PIXEL)
+    comparison = compare(SeenShape(outline, PhotoScale(PIXEL, 0.0)), [Expected(Outline(FLAG))])
+    assert comparison.residual.mean < 0.08e-3
+
+
+def test_a_ruler_beside_it_is_no_part_of_it() -> None:
+    pixels = photograph([FLAG])
+    pixels[450:470, 40:560, :3] = 30
+    shape = shape_of(pixels).map(lambda loop: loop * PIXEL)
+    assert shape.size == pytest.approx((0.18, 0.12), abs=0.3e-3)
