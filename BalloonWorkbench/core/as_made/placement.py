@@ -23,7 +23,8 @@ _ANGLES = 72
 #: So many of them that are better than those beside them are tried to the end; a star has as many as tips.
 _TRIED = 6
 _ROUGH, _TRIAL, _FINE = 120, 300, 800  # points along an outline, when it is laid down, tried, and placed
-_STEPS, _STILL = 40, 1e-6  # of a fit; moves of this part of the size end it
+_STEPS = 40  # of a fit; moves of these parts of the size end a trial, and the last one
+_ROUGHLY, _STILL = 1e-4, 1e-6
 #: How far a goal may be off when it is simplified, in parts of its size.
 _TOLERANCE = 1e-5
 #: Differences beyond so many times the median count less, but never those below a micrometre.
@@ -97,7 +98,7 @@ def place(
         means = np.array([start.mean for start in starts])
         lowest = np.flatnonzero((means <= np.roll(means, 1)) & (means <= np.roll(means, -1)))
         begun = sorted((starts[number] for number in lowest), key=lambda start: start.mean)
-        ends = [fit.fitted(start, _TRIAL) for start in begun[:_TRIED]]
+        ends = [fit.fitted(start, _TRIAL, _ROUGHLY) for start in begun[:_TRIED]]
         best.append(min(ends, key=lambda end: end.mean * (1.0 + 1e-3 * abs(end.turn))))
     upright, mirrored = best
     return fit.fitted(mirrored if mirrored.mean < NEARER * upright.mean else upright, _FINE)
@@ -141,7 +142,7 @@ class _Fit:
             starts.append(Placement(matrix, shift, mean))
         return starts
 
-    def fitted(self, start: Placement, count: int) -> Placement:
+    def fitted(self, start: Placement, count: int, still: float = _STILL) -> Placement:
         """The placement to which a start leads, with so many points along the outline."""
         points, across = self._points(count)
         matrix, shift = start.matrix, start.shift
@@ -149,7 +150,7 @@ class _Fit:
             here = points @ matrix.T + shift
             turn, moved, about = self._step(here, across @ matrix.T / np.sqrt(abs(np.linalg.det(matrix))))
             matrix, shift = turn @ matrix, turn @ (shift - about) + about + moved
-            if np.abs(moved).max() + np.abs(turn - np.eye(2)).max() * self._size < _STILL * self._size:
+            if np.abs(moved).max() + np.abs(turn - np.eye(2)).max() * self._size < still * self._size:
                 break
         here = points @ matrix.T + shift
         nearest = nearest_places(self._goal, here)
