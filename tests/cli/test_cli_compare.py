@@ -18,6 +18,7 @@ from photographs import photograph
 from BalloonWorkbench.cli import command_line
 from BalloonWorkbench.core.film.library import film
 from BalloonWorkbench.core.options.pattern import PatternOptions
+from BalloonWorkbench.core.readers.vector import read_outermost
 
 FLAG = [[0, 0], [200, 0], [200, 60], [110, 70], [100, 140], [30, 140], [0, 60]]
 PIXEL = 0.0004
@@ -97,6 +98,9 @@ def test_a_scanned_panel_beside_its_file(made: Path, ending: str) -> None:
     pattern = str(made / "out" / f"pattern.{ending}")
     arguments = ["compare", str(scan), pattern, "--flat", "--scale", SCALE, "--out", str(made / "flat")]
     assert command_line.main(arguments) == 0
+    outer = [each.outer for each in read_outermost(pattern)]  # without welds and letters inside
+    sizes = [sorted(np.ptp(loop, axis=0).tolist() for loop in loops) for loops in (outer, cuts)]
+    assert np.allclose(*sizes, rtol=0.0, atol=1e-5)
     data = json.loads((made / "flat" / "compare.json").read_text())
     assert data["difference"]["mean_mm"] < 0.06
     assert not data["placement"]["mirrored"]

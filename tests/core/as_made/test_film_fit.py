@@ -12,11 +12,12 @@ import pytest
 import shapely
 
 from BalloonWorkbench.core.as_made.compare_job import Compared, compare_balloon, compared_files, rim_of
-from BalloonWorkbench.core.as_made.comparison import Comparison, Expected, compare, with_rim
+from BalloonWorkbench.core.as_made.comparison import Comparison, Expected, compare, compared, with_rim
 from BalloonWorkbench.core.as_made.film_fit import FilmFit, fit_film
 from BalloonWorkbench.core.as_made.fitted_film import fitted_film_file
 from BalloonWorkbench.core.as_made.photo_scale import PhotoScale
 from BalloonWorkbench.core.as_made.photograph import SeenShape
+from BalloonWorkbench.core.as_made.placement import Placement
 from BalloonWorkbench.core.correction.fit import inflate_outline
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.errors import InputError
@@ -100,6 +101,27 @@ def test_the_error_grows_with_the_scatter_and_covers_it() -> None:
     assert rough.stretch_error > exact.stretch_error
     assert abs(rough.stretch - 0.01) < 3.0 * rough.stretch_error
     assert abs(rough.shrinkage - 0.001) < 3.0 * rough.shrinkage_error
+
+
+def test_the_error_is_what_wrinkles_leave() -> None:
+    """Twenty outlines with bumps some centimetres long: what is found scatters by the errors that are told."""
+    expected, scale = dense(FLAG), PhotoScale(1e-6, 0.0)
+    narrower = Outline(by_film(expected.outer, -0.0008))
+    along = np.append(0.0, np.cumsum(np.hypot(*np.diff(expected.outer, axis=0).T)))
+    random, off = np.random.default_rng(5), []
+    inward = shapely.LinearRing(by_film(expected.outer, -0.001))
+    nearest = [inward.interpolate(inward.project(shapely.Point(at))) for at in expected.outer]
+    outward = (expected.outer - shapely.get_coordinates(nearest)) / 0.001
+    for _ in range(20):
+        waves = along[:, None] / along[-1] * 2.0 * np.pi * np.arange(3, 25)
+        heights = random.normal(0.0, 1e-4, 22) @ np.cos(waves + random.uniform(0.0, 7.0, 22)).T
+        seen = Outline(expected.outer + heights[:, None] * outward)
+        comparison = compared(seen, Expected(expected), Placement(np.eye(2), np.zeros(2), 0.0))
+        fit = fit_film(comparison, expected, narrower, 0.001, scale)
+        off.append([fit.stretch / fit.stretch_error, fit.shrinkage / fit.shrinkage_error])
+    spread = np.sqrt(np.mean(np.square(off), axis=0))
+    assert (spread > 0.4).all()
+    assert (spread < 1.8).all()
 
 
 def test_a_disc_does_not_tell_them_apart() -> None:
