@@ -7,11 +7,14 @@ import argparse
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
+from BalloonWorkbench.cli.options import typed
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.job import Balloon
 from BalloonWorkbench.core.machines.bed import fits, scale_to_fit
-from BalloonWorkbench.core.machines.machine import Machine, machine
-from BalloonWorkbench.core.options.making import REFUSE, SCALE
+from BalloonWorkbench.core.machines.machine import Machine, holding, machine
+from BalloonWorkbench.core.machines.tool import lacking
+from BalloonWorkbench.core.options.making import REFUSE, SCALE, ToolOptions
+from BalloonWorkbench.core.options.option import unusual
 from BalloonWorkbench.core.pattern.pattern import Pattern
 from BalloonWorkbench.core.units import length_text
 
@@ -22,16 +25,30 @@ Size = tuple[float | None, float | None]
 
 
 def machines_of(options: argparse.Namespace) -> list[Machine]:
-    """The machines that were asked for, each with the bed that was given; InputError."""
+    """The machines that were asked for, each with the bed and the tool that were given; InputError."""
     if not options.machine and (options.bed is not None or options.oversize != REFUSE):
         raise InputError("A bed is that of a machine: give --machine too.")
+    wishes = typed(options, ToolOptions)
+    if unusual(wishes) and not any(machine(name).tool for name in options.machine):
+        raise InputError(
+            "A tool is that of a machine that reads G-code: give --machine gcode-grbl or another."
+        )
     decided = ("target_volume", "target_lift", "gas_volume")
     if options.oversize == SCALE and any(getattr(options, name) is not None for name in decided):
         raise InputError(
             "A volume or a lift decides the size, so the balloon cannot be scaled to fit: leave out"
             " --oversize scale, or what you give of --target-volume, --target-lift and --gas-volume."
         )
-    return [machine(name, options.bed) for name in options.machine]
+    return [_held(machine(name, options.bed), wishes) for name in options.machine]
+
+
+def _held(chosen: Machine, wishes: ToolOptions) -> Machine:
+    """The machine with the tool that was asked for; what nobody else knows is asked for before the work."""
+    held = holding(chosen, wishes)
+    missing = held.tool and lacking(held.tool, held.version)
+    if missing:
+        raise InputError(f"{held.title}: {missing}")
+    return held
 
 
 def scaled_to_fit(

@@ -32,13 +32,18 @@ LENGTH_UNITS = {
     "ft": 12 * INCH,
 }
 
+#: What makes a kilogram heavy [m/s2], and water at 20 degrees [kg/m3].
+_GRAVITY, _WATER = 9.80665, 998.2
 PRESSURE_UNITS = {
     "pa": 1.0,
     "hpa": 100.0,
     "kpa": 1e3,
     "mbar": 100.0,
     "bar": 1e5,
-    "psi": 0.45359237 * 9.80665 / INCH**2,
+    "psi": 0.45359237 * _GRAVITY / INCH**2,
+    "mmh2o": _GRAVITY,
+    "cmh2o": 10.0 * _GRAVITY,
+    "inh2o": 1e3 * _GRAVITY * INCH,
 }
 
 VOLUME_UNITS = {
@@ -52,8 +57,8 @@ VOLUME_UNITS = {
     "ft3": (12 * INCH) ** 3,
 }
 
-#: A lift may be given as a force; a kilogram weighs 9.80665 N.
-MASS_UNITS = {"g": 1e-3, "gram": 1e-3, "grams": 1e-3, "kg": 1.0, "oz": 28.349523125e-3, "n": 1.0 / 9.80665}
+#: A lift may be given as a force.
+MASS_UNITS = {"g": 1e-3, "gram": 1e-3, "grams": 1e-3, "kg": 1.0, "oz": 28.349523125e-3, "n": 1.0 / _GRAVITY}
 
 #: Units for people: from which size on [SI], how large [SI], name; the second is the usual one.
 _Units = tuple[tuple[float, float, str], ...]
@@ -78,6 +83,16 @@ def to_mm(metres: Number) -> Number:
 def from_mm(millimetres: Number) -> Number:
     """Millimetres to metres; a number or an array."""
     return millimetres * MILLIMETRE
+
+
+def from_mm_per_minute(feed: float) -> float:
+    """A feed as machines are told it to metres a second."""
+    return feed * MILLIMETRE / 60.0
+
+
+def to_mm_per_minute(speed: float) -> float:
+    """Metres a second to a feed as machines are told it."""
+    return speed * 60.0 / MILLIMETRE
 
 
 def number_text(value: float, digits: int = 3) -> str:
@@ -119,6 +134,12 @@ def mass_text(kilograms: float) -> str:
 def pressure_text(pascals: float) -> str:
     """A pressure for people."""
     return _measure(pascals, 3, _PRESSURES)
+
+
+def water_column_text(pascals: float) -> str:
+    """How high a pressure lifts the water in a hose manometer; rounded down, for it must not be more."""
+    column = pascals / (_WATER * _GRAVITY)
+    return f"{math.floor(to_mm(column))} mm ({math.floor(10.0 * column / INCH) / 10.0:g} in)"
 
 
 def temperature_text(kelvin: float) -> str:

@@ -63,6 +63,38 @@ def test_one_unsuitable_machine_is_left_out(square: Path, capsys: pytest.Capture
     assert "Note: No file for Small laser: The pattern measures" in capsys.readouterr().out
 
 
+def test_gcode_with_the_tool_that_is_given(square: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A machine holds another tool than its file says; only Marlin heats it."""
+    hot = ("--tool", "hot-tip", "--feed", "300", "--tip-temperature", "180C", "--depth", "0.2mm")
+    assert run(square, "--machine", "gcode-linuxcnc", "--machine", "gcode-marlin", *hot, "--bed", "none") == 0
+    text = (square.parent / "out" / "pattern-gcode-marlin.gcode").read_text("ascii")
+    assert "M109 S180 ; wait until it is hot" in text
+    assert "G1 Z-0.2 F300\n" in text
+    assert "M109" not in (square.parent / "out" / "pattern-gcode-linuxcnc.ngc").read_text("ascii")
+    assert machine("gcode-marlin").note in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("words", "text"),
+    [
+        ("--machine gcode-grbl", "give --feed 600 for 600 mm/min and --power 40 for 40 %"),
+        ("--machine gcode-grbl --feed 0 --power 40", "from 1 mm/min"),
+        ("--machine gcode-grbl --feed nan --power 40", "from 1 mm/min"),
+        ("--machine gcode-grbl --feed 600 --power 40 --bed 1mmx1mm", "The pattern measures"),
+        ("--machine lightburn --feed 600", "give --machine gcode-grbl"),
+        ("--tool axe --machine gcode-grbl", "axe"),
+        ("--machine gcode-marlin --feed 300 --tip-temperature 700C --depth 0", "40C to 400C"),
+    ],
+)
+def test_gcode_that_cannot_be_is_told_in_a_line(
+    square: Path, words: str, text: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(square, *words.split()) == 2
+    told = capsys.readouterr().err.strip()
+    assert text in told
+    assert not (square.parent / "out").exists()
+
+
 def test_unknown_machine_is_told_before_the_work(square: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert run(square, "--machine", "axe") == 2
     assert "lightburn" in capsys.readouterr().err

@@ -40,11 +40,21 @@ def test_lengths(text, metres):
         ("5 psi", 34473.786),
         ("1500", 1500),
         ("3 hPa", 300),
+        ("100 mmH2O", 980.665),
+        ("8 inH2O", 1992.7113),
         (2e3, 2e3),
     ],
 )
 def test_pressures(text, pascals):
     assert units.parse_pressure(text) == pytest.approx(pascals, rel=1e-7)
+
+
+@pytest.mark.parametrize(
+    ("pascals", "text"), [(2000.0, "204 mm (8 in)"), (99.0, "10 mm (0.3 in)"), (1.0, "0 mm (0 in)")]
+)
+def test_a_water_column_is_not_higher_than_the_pressure(pascals, text):
+    """Of water at 20 degrees: 998.2 kg/m3."""
+    assert units.water_column_text(pascals) == text
 
 
 @pytest.mark.parametrize(
@@ -97,7 +107,8 @@ def test_millimetres_and_back():
         (
             units.parse_pressure,
             units.PRESSURE_UNITS,
-            {"pa": 1e5, "hpa": 1000, "kpa": 100, "mbar": 1000, "bar": 1, "psi": 14.503773773},
+            {"pa": 1e5, "hpa": 1000, "kpa": 100, "mbar": 1000, "bar": 1, "psi": 14.503773773,
+             "mmh2o": 10197.162130, "cmh2o": 1019.7162130, "inh2o": 401.46307597},
         ),
         (
             units.parse_volume,

@@ -16,6 +16,8 @@ from BalloonWorkbench.core.errors import ExportError
 #: Properties that are looks; those that our objects work out like their results.
 _LOOKS = frozenset({"Visibility", "Label2", "TreeRank"})
 _WORKED_OUT = frozenset({"Shape", "Mesh", "Placement"})
+#: How many copies a folder has: more than a study is worked out from while its document is changed.
+_KEPT = 8
 
 
 def copy_of(doc, folder: Path, left_out: Iterable[object], varied: Iterable[str]) -> Path:
@@ -35,11 +37,20 @@ def copy_of(doc, folder: Path, left_out: Iterable[object], varied: Iterable[str]
             path = folder / f"{_digest(written, names, skipped)}.FCStd"
             if not path.is_file():
                 os.replace(written, path)
+        os.utime(path)
+        _remove_all_but(_KEPT, folder)
     except OSError as error:
         raise ExportError(
             f"Cannot write to '{folder}' ({error.strerror or error}): choose another folder for the study."
         ) from None
     return path
+
+
+def _remove_all_but(count: int, folder: Path) -> None:
+    """Leave so many copies, the last ones that were asked for."""
+    copies = sorted(folder.glob("*.FCStd"), key=lambda copy: (-copy.stat().st_mtime_ns, copy.name))
+    for copy in copies[count:]:
+        copy.unlink()
 
 
 def _worked_out(obj) -> list[str]:

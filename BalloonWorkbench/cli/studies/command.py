@@ -61,7 +61,8 @@ def run(options: argparse.Namespace, say: Say) -> int:
     finally:
         line.clear()
     made, failed = outcome.made, len(outcome.failures)
-    lines = [say(f"Balloons: {outcome.balloons}, worked out now: {made}, of these failed: {failed}")]
+    lines = _senseless(len(study.rows), outcome.senseless, say) if outcome.senseless else []
+    lines += [say(f"Balloons: {outcome.balloons}, worked out now: {made}, of these failed: {failed}")]
     lines += [f"- {say(sentence)}" for sentence in [*dict.fromkeys(outcome.failures.values())][:_SHOWN]]
     if options.shard != WHOLE:
         lines.append(say("When all shards are done, --collect writes the table."))
@@ -163,9 +164,13 @@ def _settings(name: str | None) -> dict[str, Any]:
 
 def _planned(study: Study, out: str, say: Say) -> list[str]:
     plan = plan_study(study, out)
-    lines = [say(f"Rows: {plan.rows}, of these make no sense: {len(plan.senseless)}")]
-    lines += [say(f"Row {number}: {text}") for number, text in list(plan.senseless.items())[:_SHOWN]]
+    lines = _senseless(plan.rows, plan.senseless, say)
     return [*lines, say(f"Balloons: {plan.balloons}, of these are there: {plan.there}")]
+
+
+def _senseless(rows: int, senseless: Mapping[int, str], say: Say) -> list[str]:
+    lines = [say(f"Rows: {rows}, of these make no sense: {len(senseless)}")]
+    return [*lines, *(say(f"Row {number}: {text}") for number, text in list(senseless.items())[:_SHOWN])]
 
 
 def _show(lines: list[str]) -> int:

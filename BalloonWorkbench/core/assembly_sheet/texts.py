@@ -21,6 +21,7 @@ from BalloonWorkbench.core.units import (
     number_text,
     pressure_text,
     volume_text,
+    water_column_text,
 )
 
 # Japanese is broken between any two letters, but for these that end or begin a line.
@@ -73,6 +74,8 @@ def figures(film: Film, numbers: Numbers, say: Say = in_english) -> list[tuple[s
         weakest = film.seam if safe.weakest == WELD else safe.weakest
         bears = say(f"{pressure_text(safe.safe_pressure)} ({weakest}, margin {number_text(safe.margin)})")
         rows.append((say("Safe to"), bears))
+    least = safe.pressure if safe.safe_pressure is None else min(safe.pressure, safe.safe_pressure)
+    rows.append((say("Water column"), say(f"at most {water_column_text(least)}")))
     one = numbers.floating[0]
     gas = volume_text(one.gas_needed)
     if one.cost is not None:

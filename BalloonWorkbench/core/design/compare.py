@@ -18,7 +18,8 @@ from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.types import Floats, Ints
 
 _SAMPLES = 1000  # along the longest loop
-_FITS = 8  # of a silhouette to the drawing
+_FITS = 8  # of a silhouette to the drawing, at most
+_LAID = 1e-6  # of the drawing's size, by which the last fit may move it
 #: Distance from which a stretch counts, and what may remain at its ends, in parts of the larger dimension.
 FAR, NEARLY = 0.01, 0.005
 
@@ -137,6 +138,9 @@ def laid_on(inflation: Inflation, visible: Outline, drawing: Outline) -> Inflati
         x, y, angle = np.linalg.lstsq(np.column_stack([normals, lever]), missing, rcond=None)[0]
         turn = rotation(float(angle)).T
         matrix, shift = turn @ matrix, turn @ (shift - centre) + centre + np.array([x, y])
+        size = max(drawing.size)
+        if max(abs(x), abs(y), abs(angle) * size) < _LAID * size:
+            break
     return moved(inflation, matrix, shift)
 
 

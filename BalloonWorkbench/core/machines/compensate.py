@@ -70,3 +70,16 @@ def overrun(curve: Curve, length: float) -> Curve:
         bulges.append(float(part.bulges[k]))
         break
     return Curve(np.array(joints), np.array(bulges), False)
+
+
+def prolonged(curve: Curve, before: Floats | None, after: Floats | None) -> Curve:
+    """A curve with a straight way from a point (2,) to its start, and one from its end to another point."""
+    if before is None and after is None:
+        return curve
+    joints = [*curve.joints, curve.joints[0]] if curve.closed else [*curve.joints]
+    bulges = [*curve.bulges]
+    if before is not None:
+        joints, bulges = [before, *joints], [0.0, *bulges]
+    if after is not None:
+        joints, bulges = [*joints, after], [*bulges, 0.0]
+    return Curve(np.array(joints), np.array(bulges), False)

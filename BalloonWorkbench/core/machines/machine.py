@@ -17,16 +17,18 @@ from typing import Any
 from BalloonWorkbench.core.arcs.fit_arcs import TOLERANCE
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.files.data_file import RESOURCES, UNUSABLE, data_files, read_data
-from BalloonWorkbench.core.machines.laser_settings import LaserSettings, laser_settings
-from BalloonWorkbench.core.machines.layers import LAYERS
+from BalloonWorkbench.core.machines.layers import LAYERS, LaserSettings, laser_settings
+from BalloonWorkbench.core.machines.tool import CONTROLLERS, LINUXCNC, MachineTool, changed, read_tool
+from BalloonWorkbench.core.options.making import ToolOptions
 from BalloonWorkbench.core.pattern.pattern import Role
 from BalloonWorkbench.core.units import INCH, MILLIMETRE, from_mm, number_text, parse_size, to_mm
 
 FOLDER = RESOURCES / "machines"
 
 #: Endings of the formats, and the versions that each has.
-ENDINGS = {"dxf": "dxf", "svg": "svg", "pdf": "pdf", "hpgl": "plt", "lbrn2": "lbrn2"}
-_VERSIONS = {"dxf": ("R2000", "R12"), "svg": ("",), "pdf": ("",), "hpgl": ("",), "lbrn2": ("",)}
+ENDINGS = {"dxf": "dxf", "svg": "svg", "pdf": "pdf", "hpgl": "plt", "lbrn2": "lbrn2", "gcode": "gcode"}
+_VERSIONS = {"dxf": ("R2000", "R12"), "svg": ("",), "pdf": ("",), "hpgl": ("",), "lbrn2": ("",),
+             "gcode": CONTROLLERS}  # fmt: skip
 #: The bed of a machine that has none.
 NO_LIMIT = "none"
 _LEAST_BED, _MOST = 1.0, 1e5  # mm
@@ -68,7 +70,7 @@ class Line:
 class Machine:
     """What a machine's program wants.
 
-    format     one of ENDINGS; version is R2000 or R12 for DXF
+    format     one of ENDINGS; version is R2000 or R12 for DXF, the controller for G-code
     unit       of the coordinates, "mm" or "in"
     arcs       arcs where they fit, else polylines only; tolerance how far they may be from the points [m]
     layers     the roles that are written
@@ -79,6 +81,7 @@ class Machine:
                can follow [m]
     control_bar  a bar of 100 mm on the layer REGISTRATION
     process    one of PROCESSES
+    tool       what a machine that reads G-code holds; None for all others
     file       name of its file without the ending, where it is not made from the machine's
     remarks    on the machine's file, a sentence each
     """
@@ -102,6 +105,7 @@ class Machine:
     file: str = ""
     tolerance: float = TOLERANCE
     process: str = ""
+    tool: MachineTool | None = None
     remarks: tuple[str, ...] = ()
 
     @property
@@ -113,7 +117,7 @@ class Machine:
         """The same name about a certain thing, "fish-lightburn_mm.dxf"; a file that has a name keeps it."""
         unit = f"_{self.unit}" if self.format == "dxf" else ""
         stem = subject if self.file == _PATTERN else self.file or f"{subject}-{self.name}{unit}"
-        return f"{stem}.{ENDINGS[self.format]}"
+        return f"{stem}.{'ngc' if self.version == LINUXCNC else ENDINGS[self.format]}"
 
 
 def own_folder() -> Path:
@@ -160,6 +164,20 @@ def machine(name: str, bed: str | None = None) -> Machine:
     """
     chosen = _known_machine(name)
     return chosen if bed is None else replace(chosen, bed=parse_bed(bed))
+
+
+def holding(machine: Machine, wishes: ToolOptions) -> Machine:
+    """The machine with the tool that the user wishes; those that read no G-code hold what they hold.
+
+    Raises InputError for a tool that makes no sense.
+    """
+    if machine.tool is None:
+        return machine
+    tool = changed(machine.tool, wishes)
+    layers = (
+        machine.layers if tool.kind == machine.tool.kind else _layers({role.value: {} for role in tool.roles})
+    )
+    return replace(machine, tool=tool, layers=layers, process=tool.process)
 
 
 def parse_bed(text: str, plain: str = "") -> tuple[float, float] | None:
@@ -229,7 +247,7 @@ _PROJECT_LAYERS, TOOL_LAYER = 32, 30
 _KEYS = {
     "name", "title", "note", "format", "version", "unit", "arcs", "bed_mm", "kerf_mm", "knife_offset_mm",
     "overcut_mm", "overrun_mm", "control_bar", "file", "tolerance_mm", "least_radius_mm", "least_gap_mm",
-    "layers", "process",
+    "layers", "process", "tool",
 }  # fmt: skip
 
 
@@ -238,6 +256,7 @@ def _machine_of(data: dict[str, Any]) -> Machine:
     if strange:
         raise InputError(f'nobody knows "{strange[0]}": it may be one of {", ".join(sorted(_KEYS))}.')
     kind = _one_of(data["format"], tuple(ENDINGS), "format")
+    tool = _tool(data, kind)
     marked = dict(data["layers"])
     if _NOTCH in marked:
         marked.pop(_MARK, None)
@@ -260,14 +279,15 @@ def _machine_of(data: dict[str, Any]) -> Machine:
         control_bar=_truth(data["control_bar"], "control_bar"),
         file=str(data.get("file", "")),
         tolerance=_length(data.get("tolerance_mm", to_mm(TOLERANCE)), "tolerance_mm", 0.005, 0.5),
-        process=_one_of(data.get("process", ""), PROCESSES, "process"),
+        process=_one_of(data.get("process", tool.process if tool else ""), PROCESSES, "process"),
+        tool=tool,
         remarks=_remarks(data),
     )
     if not _FILE_NAME.fullmatch(described.file):
         raise InputError(
             f'the file name "{described.file}" may have letters, digits, spaces, _, - and . only.'
         )
-    if kind in ("hpgl", "pdf", "lbrn2") and described.unit != "mm":
+    if kind in ("hpgl", "pdf", "lbrn2", "gcode") and described.unit != "mm":
         raise InputError(f'a {kind.upper()} file has a unit of its own: give "unit": "mm".')
     _check_laser(described)
     if kind == "hpgl" and described.arcs:
@@ -291,6 +311,13 @@ def _check_laser(machine: Machine) -> None:
             raise InputError(
                 f"layer {line.pen} of the LightBurn project has two speeds or powers: give its roles one."
             )
+
+
+def _tool(data: dict[str, Any], kind: str) -> MachineTool | None:
+    """The tool of a machine that reads G-code, which has one."""
+    if (kind == "gcode") != ("tool" in data):
+        raise InputError("G-code, and no other format, has a tool: give both or none.")
+    return read_tool(data["tool"]) if "tool" in data else None
 
 
 def _remarks(data: dict[str, Any]) -> tuple[str, ...]:

@@ -11,6 +11,7 @@ from BalloonWorkbench.core.machines.machine import FOLDER, Machine, read_machine
 from BalloonWorkbench.core.machines.preflight import ERROR, PreflightFinding, film_preflight, preflight
 from BalloonWorkbench.core.machines.toolpaths import Toolpaths, draw
 from BalloonWorkbench.core.machines.writers.dxf import drawing_dxf
+from BalloonWorkbench.core.machines.writers.gcode import drawing_gcode
 from BalloonWorkbench.core.machines.writers.hpgl import drawing_hpgl
 from BalloonWorkbench.core.machines.writers.lightburn import drawing_lightburn
 from BalloonWorkbench.core.machines.writers.svg import drawing_svg
@@ -18,7 +19,13 @@ from BalloonWorkbench.core.options.making import REFUSE
 from BalloonWorkbench.core.pattern.pattern import Pattern
 from BalloonWorkbench.core.types import Say, in_english
 
-_WRITERS = {"dxf": drawing_dxf, "svg": drawing_svg, "hpgl": drawing_hpgl, "lbrn2": drawing_lightburn}
+_WRITERS = {
+    "dxf": drawing_dxf,
+    "svg": drawing_svg,
+    "hpgl": drawing_hpgl,
+    "lbrn2": drawing_lightburn,
+    "gcode": drawing_gcode,
+}
 
 
 def machine_file(

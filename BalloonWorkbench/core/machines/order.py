@@ -3,18 +3,21 @@
 
 Cuts contain each other: a panel its holes, a hole the small panel that lies in it. Panel by panel, what lies
 inside a cut comes before that cut: first the lines, role by role, then the cuts inside, each after its own.
+Of what may come in any order the way of the tool decides.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import chain
+from itertools import chain, groupby
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from BalloonWorkbench.core.machines.travel import shortest_order
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.pattern import Contour, Role
+from BalloonWorkbench.core.types import Floats
 
 #: Closed lines of these roles cut free what is inside.
 CUTS = (Role.CUT_INNER, Role.CUT)
@@ -22,18 +25,21 @@ RANKS = {role: rank for rank, role in enumerate(Role)}
 
 
 class Step(NamedTuple):
-    """A contour in the order of the work.
+    """The number of a contour in the order of the work.
 
     turn  0 where going through the layers once, in the order of their roles, is early enough; 1 for what
           waits for the second time, as the hole of a panel does that has another panel in it
     """
 
-    contour: Contour
+    number: int
     turn: int
 
 
-def in_order(contours: Sequence[Contour]) -> list[Step]:
-    """All contours in the order of the work; else they keep their order."""
+def in_order(contours: Sequence[Contour], ways: Floats) -> list[Step]:
+    """All contours in the order of the work.
+
+    ways  (n, 2, 2), where the tool comes to each and leaves it; the first begins at their lower left corner
+    """
     inside: list[list[int]] = [[] for _ in contours]
     outermost: list[int] = []
     for number, around in enumerate(_around(contours)):
@@ -44,12 +50,25 @@ def in_order(contours: Sequence[Contour]) -> list[Step]:
         return len(RANKS) if _frees(contour) else RANKS[contour.role]
 
     def done(number: int) -> list[Step]:
-        before = [done(each) for each in sorted(inside[number], key=lines_first)]
+        before = together(inside[number], ways[number, 0], ways[number, 0])
         rank = RANKS[contours[number].role]
-        turns = [steps[-1].turn + (RANKS[steps[-1].contour.role] > rank) for steps in before]
-        return [*chain.from_iterable(before), Step(contours[number], max(turns, default=0))]
+        turns = [steps[-1].turn + (RANKS[contours[steps[-1].number].role] > rank) for steps in before]
+        return [*chain.from_iterable(before), Step(number, max(turns, default=0))]
 
-    return [step for number in sorted(outermost, key=lines_first) for step in done(number)]
+    def together(numbers: list[int], start: Floats, finish: Floats | None = None) -> list[list[Step]]:
+        blocks: list[list[Step]] = []
+        groups = [list(group) for _, group in groupby(sorted(numbers, key=lines_first), key=lines_first)]
+        for group in groups:
+            steps = [done(number) for number in group]
+            begins = ways[[block[0].number for block in steps], 0]
+            ends = ways[[block[-1].number for block in steps], 1]
+            order = shortest_order(begins, ends, start, finish if group is groups[-1] else None)
+            blocks += [steps[number] for number in order]
+            start = ends[order[-1]]
+        return blocks
+
+    corner = ways.reshape(-1, 2).min(axis=0, initial=np.inf)
+    return list(chain.from_iterable(together(outermost, corner)))
 
 
 def _frees(contour: Contour) -> bool:

@@ -18,12 +18,22 @@ from BalloonWorkbench.core.geometry.polyline import gaps, line_lengths, point_on
 from BalloonWorkbench.core.machines.bed import fits_turned, fits_upright, pieces_fit, size_on
 from BalloonWorkbench.core.machines.machine import Machine
 from BalloonWorkbench.core.machines.order import CUTS
+from BalloonWorkbench.core.machines.tool import WELDS, lacking
 from BalloonWorkbench.core.machines.toolpaths import fitted
 from BalloonWorkbench.core.options.making import REFUSE, WRITE
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 from BalloonWorkbench.core.types import Floats
-from BalloonWorkbench.core.units import INCH, from_mm, length_text, number_text, place_text, size_text
+from BalloonWorkbench.core.units import (
+    INCH,
+    from_mm,
+    length_text,
+    number_text,
+    parse_temperature,
+    place_text,
+    size_text,
+    temperature_text,
+)
 
 ERROR, WARNING = "error", "warning"
 
@@ -37,8 +47,8 @@ _FINE = 0.25
 _BACK = np.radians(179.95)
 #: Half of a turn beyond which a bend is as good as a corner [rad].
 _SHARPEST = 1.4
-#: Lines whose bends matter to a machine that only welds; to one that cuts they are marks.
-_WELDS = (Role.SEAL, Role.WELD)
+#: PTFE decomposes above [K], says every maker of it; near 300 C it does so quickly.
+_FUMES = parse_temperature("260C")
 
 
 @dataclass(frozen=True)
@@ -63,10 +73,10 @@ def preflight(pattern: Pattern, machine: Machine, oversize: str = REFUSE) -> tup
     findings = [*_closed(taken), *_simple(taken, machine)]
     if not any(finding.severity == ERROR for finding in findings):
         cuts = [contour for contour in taken if contour.role in CUTS]
-        findings += _radius(cuts or [contour for contour in taken if contour.role in _WELDS], machine)
+        findings += _radius(cuts or [contour for contour in taken if contour.role in WELDS], machine)
         findings += _gap(taken, machine)
     findings += _size(pattern, machine, oversize)
-    findings += _laser({contour.role for contour in taken}, machine)
+    findings += [*_laser({contour.role for contour in taken}, machine), *_tool(machine)]
     findings += [PreflightFinding(WARNING, remark) for remark in machine.remarks]
     return tuple(sorted(findings, key=lambda finding: finding.severity != ERROR))
 
@@ -225,7 +235,12 @@ def _size(pattern: Pattern, machine: Machine, oversize: str) -> list[PreflightFi
     size, bed = _both(*size_on(pattern, machine).tolist()), _both(*machine.bed)
     sizes = f"The pattern measures {size}, the bed of {machine.title} {bed}"
     if fits_turned(pattern, machine):
-        return [PreflightFinding(WARNING, f"{sizes}: turn the pattern by 90 degrees there.")]
+        turn = (
+            "turn the pattern by 90 degrees there"
+            if machine.tool is None
+            else "the file has it turned by 90 degrees"
+        )
+        return [PreflightFinding(WARNING, f"{sizes}: {turn}.")]
     if oversize == WRITE:
         return [PreflightFinding(WARNING, f"{sizes}: the file is written anyway.", oversize=True)]
     text = (
@@ -255,6 +270,25 @@ def _laser(roles: Set[Role], machine: Machine) -> Iterator[PreflightFinding]:
             f"The lines make up for a kerf of {length_text(machine.kerf)} already: leave LightBurn's kerf"
             " offset at 0.",
         )
+
+
+def _tool(machine: Machine) -> list[PreflightFinding]:
+    """What a tool lacks that only the user knows, and what it does to what lies between it and the film."""
+    tool = machine.tool
+    if tool is None:
+        return []
+    missing = lacking(tool, machine.version)
+    if missing:
+        return [PreflightFinding(ERROR, missing)]
+    if tool.is_hot and (tool.temperature or 0.0) > _FUMES:
+        return [
+            PreflightFinding(
+                WARNING,
+                f"A separating layer of PTFE gives off poisonous fumes above {temperature_text(_FUMES)}: lay"
+                " baking paper between tool and film, and air the room.",
+            )
+        ]
+    return []
 
 
 def _both(width: float, height: float) -> str:

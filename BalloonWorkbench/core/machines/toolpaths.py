@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -13,10 +13,13 @@ from BalloonWorkbench.core.arcs.fit_arcs import fit_curve
 from BalloonWorkbench.core.errors import ExportError
 from BalloonWorkbench.core.geometry.nearest import nearest_on_line
 from BalloonWorkbench.core.geometry.polyline import ring
-from BalloonWorkbench.core.machines.compensate import overrun, trailing_knife, without_kerf
+from BalloonWorkbench.core.machines.compensate import overrun, prolonged, trailing_knife, without_kerf
+from BalloonWorkbench.core.machines.lead_in import Waste
 from BalloonWorkbench.core.machines.machine import Machine
 from BalloonWorkbench.core.machines.order import CUTS, RANKS, in_order
 from BalloonWorkbench.core.machines.start_point import begun_on_straight
+from BalloonWorkbench.core.machines.tool import WELDS
+from BalloonWorkbench.core.machines.travel import travel
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import MILLIMETRE, from_mm, to_mm
@@ -26,6 +29,8 @@ BAR = 100.0
 _TICK = 4.0
 _BESIDE = 8.0
 BAR_ROOM = _BESIDE + 0.5 * _TICK
+#: Room round the pattern for lead-ins and for the axis of a knife, where the file itself moves the tool [mm].
+_ROOM = 5.0
 #: Lines of one role that are so close all along are one line [mm].
 _SAME = 0.01
 
@@ -41,7 +46,11 @@ class Path:
 
 @dataclass(frozen=True)
 class Toolpaths:
-    """Paths in the order of the work; lower left corner at the origin, and the size of it all [mm]."""
+    """Paths in the order of the work; lower left corner at the origin, and the size of it all [mm].
+
+    Of a machine that reads G-code it is the corner of the pattern with some room, whatever tool it holds:
+    what is welded and what is cut afterwards lie on each other.
+    """
 
     paths: tuple[Path, ...]
     width: float
@@ -58,6 +67,12 @@ class Toolpaths:
         """The paths with as few changes of the layer as the order of the work allows."""
         return tuple(sorted(self.paths, key=lambda path: (path.turn, RANKS[path.role])))
 
+    @property
+    def travel(self) -> float:
+        """How far the tool goes between the paths, in their order [mm]."""
+        begins, ends = np.array([_way(path.curve) for path in self.paths]).swapaxes(0, 1)
+        return travel(begins, ends)
+
     def of(self, role: Role) -> tuple[Path, ...]:
         """The paths of one role."""
         return tuple(path for path in self.paths if path.role is role)
@@ -68,27 +83,67 @@ def draw(pattern: Pattern, machine: Machine) -> Toolpaths:
 
     Raises ExportError when the pattern has none of the lines that the machine wants.
     """
-    ends = [contour.points[[0, -1]] for contour in pattern.contours if not contour.closed]
-    ends_mm = to_mm(np.concatenate(ends)) if ends else np.empty((0, 2))
-    paths = [
-        Path(contour.role, curve, turn)
-        for contour, turn in in_order(pattern.contours)
-        if contour.role in machine.layers
-        for curve in _curves(contour, machine, ends_mm)
-    ]
+    paths = _in_order(pattern, machine)
     if not paths:
         roles = ", ".join(role.value for role in machine.layers)
         raise ExportError(
             f"The pattern has no lines for {machine.title}, which takes {roles}: choose another machine."
         )
-    paths = _once(paths)
     if machine.control_bar and Role.REGISTRATION in machine.layers:
         low = np.min([path.curve.bounds[0] for path in paths], axis=0)
         paths = [Path(Role.REGISTRATION, curve) for curve in _bar(low)] + paths
-    low = np.min([path.curve.bounds[0] for path in paths], axis=0)
-    high = np.max([path.curve.bounds[1] for path in paths], axis=0)
+    if machine.tool is None:
+        low = np.min([path.curve.bounds[0] for path in paths], axis=0)
+        high = np.max([path.curve.bounds[1] for path in paths], axis=0)
+    else:
+        low, high = (to_mm(at) + side * room(machine) for at, side in zip(pattern.bounds, (-1.0, 1.0)))
     width, height = (high - low).tolist()
     return Toolpaths(tuple(replace(path, curve=path.curve.moved(-low)) for path in paths), width, height)
+
+
+def _in_order(pattern: Pattern, machine: Machine) -> list[Path]:
+    """What a machine does of a pattern, in the order of the work, still where it is."""
+    contours, waste = pattern.contours, _waste(pattern, machine)
+    ends = [contour.points[[0, -1]] for contour in contours if not contour.closed]
+    ends_mm = to_mm(np.concatenate(ends)) if ends else np.empty((0, 2))
+    curves: list[list[Curve]] = [[] for _ in contours]
+    used = [number for number, contour in enumerate(contours) if contour.role in machine.layers]
+    each = [
+        (number, curve) for number in used for curve in _curves(contours[number], machine, ends_mm, waste)
+    ]
+    for number, curve in _once(each, contours):
+        curves[number].append(curve)
+    # what lies on another line is nothing of its own; what is not for this machine has something in it
+    kept = [number for number in range(len(contours)) if curves[number] or number not in used]
+    ways = np.array(
+        [
+            _way(*curves[number]) if curves[number] else to_mm(contours[number].points[[0, 0]])
+            for number in kept
+        ]
+    )
+    steps = in_order([contours[number] for number in kept], ways.reshape(-1, 2, 2))
+    return [
+        Path(contours[kept[step.number]].role, curve, step.turn)
+        for step in steps
+        for curve in curves[kept[step.number]]
+    ]
+
+
+def room(machine: Machine) -> float:
+    """How far past the pattern a machine's tool may come where the file itself moves it [mm]."""
+    return 0.0 if machine.tool is None else max(_ROOM, to_mm(machine.knife_offset + 0.5 * machine.kerf))
+
+
+def _waste(pattern: Pattern, machine: Machine) -> Waste | None:
+    """Where a tool may land beside welds; None for one that lands on its lines, and without an outline."""
+    if (
+        machine.tool is None
+        or not machine.tool.is_hot
+        or machine.tool.lead_in == 0.0
+        or not pattern.of(Role.CUT)
+    ):
+        return None
+    return Waste(pattern, to_mm(machine.tool.lead_in), room(machine) - to_mm(machine.knife_offset))
 
 
 def fitted(contour: Contour, machine: Machine) -> Iterator[Curve]:
@@ -98,7 +153,7 @@ def fitted(contour: Contour, machine: Machine) -> Iterator[Curve]:
         yield fit_curve(points, contour.closed, machine.tolerance) if machine.arcs else straight
 
 
-def _curves(contour: Contour, machine: Machine, ends: Floats) -> Iterator[Curve]:
+def _curves(contour: Contour, machine: Machine, ends: Floats, waste: Waste | None) -> Iterator[Curve]:
     """The curves [mm] of a contour as a machine goes along them; ends (n, 2) mm of the open lines."""
     for followed in fitted(contour, machine):
         curve = followed.moved(np.zeros(2), 1.0 / MILLIMETRE)
@@ -106,23 +161,45 @@ def _curves(contour: Contour, machine: Machine, ends: Floats) -> Iterator[Curve]
             if curve.closed and (machine.overcut or machine.knife_offset):
                 curve = overrun(begun_on_straight(curve, ends), to_mm(machine.overcut))
             curve = trailing_knife(curve, to_mm(machine.knife_offset))
-        elif contour.role is Role.SEAL and contour.closed:
-            curve = overrun(curve, to_mm(machine.overrun))
+        elif contour.role in WELDS:
+            curve = _weld(curve, machine, ends, waste)
         yield curve
 
 
-def _once(paths: list[Path]) -> list[Path]:
-    """Without paths that lie on an earlier one of the same role."""
-    boxes = np.array([np.concatenate(path.curve.bounds) for path in paths])
+def _weld(curve: Curve, machine: Machine, ends: Floats, waste: Waste | None) -> Curve:
+    """A weld [mm] with what it runs past its start and with the ways of a hot tool between it and waste film;
+    a wheel that swivels goes ahead of it."""
+    if machine.tool is None:
+        return overrun(curve, to_mm(machine.overrun)) if curve.closed else curve
+    before = after = None
+    if curve.closed:
+        curve = begun_on_straight(curve, ends)
+        if waste is not None:
+            curve, before = waste.begun(curve)
+        curve = overrun(curve, to_mm(machine.overrun))
+    elif waste is not None:
+        before, after = waste.ways(curve)
+    return trailing_knife(prolonged(curve, before, after), to_mm(machine.knife_offset))
+
+
+def _way(*curves: Curve) -> Floats:
+    """Where (2, 2) mm the tool comes to curves and leaves them."""
+    return np.stack([curves[0].joints[0], curves[-1].joints[0 if curves[-1].closed else -1]])
+
+
+def _once(curves: list[tuple[int, Curve]], contours: Sequence[Contour]) -> list[tuple[int, Curve]]:
+    """Curves by the numbers of their contours, without those that lie on an earlier one of the same role."""
+    boxes = np.array([np.concatenate(curve.bounds) for _, curve in curves])
     distinct: list[int] = []
-    for number, path in enumerate(paths):
+    for number, (owner, curve) in enumerate(curves):
         near = np.abs(boxes[distinct] - boxes[number]).max(axis=1) < _SAME if distinct else np.zeros(0)
-        alike = [paths[distinct[k]] for k in np.flatnonzero(near) if paths[distinct[k]].role is path.role]
-        points = path.curve.flattened(_SAME) if alike else path.curve.joints
-        lines = [ring(other.curve.flattened(_SAME)) for other in alike]
+        alike = [curves[distinct[k]] for k in np.flatnonzero(near)]
+        role = contours[owner].role
+        lines = [ring(other.flattened(_SAME)) for earlier, other in alike if contours[earlier].role is role]
+        points = curve.flattened(_SAME) if lines else curve.joints
         if not any(nearest_on_line(line, points).distance.max() < 2.0 * _SAME for line in lines):
             distinct.append(number)
-    return [paths[number] for number in distinct]
+    return [curves[number] for number in distinct]
 
 
 def _bar(low: Floats) -> Iterator[Curve]:

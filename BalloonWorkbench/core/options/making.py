@@ -12,6 +12,8 @@ MAKING, ARTWORK, SHEET = Section("Making"), Section("Artwork"), Section("Film", 
 #: What becomes of a pattern that is larger than the bed: no file, the file all the same, a smaller balloon.
 REFUSE, WRITE, SCALE = "refuse", "write", "scale"
 MOST_BALLOONS = 100
+#: What cuts, and what welds by heat.
+KNIFE, LASER, SPINDLE, HOT_TIP, HOT_WHEEL = TOOLS = "knife", "laser", "spindle", "hot-tip", "hot-wheel"
 #: As what a report may be written beside report.json.
 HTML = "html"
 
@@ -32,6 +34,23 @@ class MachineOptions:
         " balloon is made smaller until it fits (scale)", prop="", choices={REFUSE: "", WRITE: "", SCALE: ""})
     tiled: str | None = MAKING(Kind.CHOICE, None, "Also write a PDF to print on several pages", prop="",
         choices={"A4": "", "A3": "", "Letter": ""})
+
+
+@dataclass(frozen=True)
+class ToolOptions:
+    """What a machine that reads G-code holds, and how it works; None is as the machine's file has it."""
+
+    tool: str | None = MAKING(Kind.CHOICE, None, "What a machine that reads G-code holds", prop="",
+        choices=dict.fromkeys(TOOLS, ""))
+    feed: float | None = MAKING(Kind.NUMBER, None,
+        "How fast that tool goes along a line, in millimetres a minute", prop="", metavar="MM/MIN")
+    power: float | None = MAKING(Kind.NUMBER, None, "Power of a laser, in percent", prop="",
+        metavar="PERCENT")
+    spindle_speed: float | None = MAKING(Kind.NUMBER, None, "Turns of a spindle in a minute", prop="")
+    tip_temperature: float | None = MAKING(Kind.TEMPERATURE, None,
+        "Temperature of a hot tip or wheel, such as 180C", prop="")
+    depth: float | None = MAKING(Kind.HEIGHT, None,
+        "How far a tool goes below where it touches the film, to cut or to press; 0 touches it", prop="")
 
 
 @dataclass(frozen=True)

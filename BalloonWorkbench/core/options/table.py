@@ -14,6 +14,7 @@ from BalloonWorkbench.core.options.making import (
     RunOptions,
     SharingOptions,
     SheetOptions,
+    ToolOptions,
     WeldingOptions,
 )
 from BalloonWorkbench.core.options.option import Option, options_of
@@ -36,6 +37,7 @@ DECLARED: tuple[type, ...] = (
     PatternOptions,
     RunOptions,
     MachineOptions,
+    ToolOptions,
     WeldingOptions,
     ResultOptions,
     AssemblyOptions,

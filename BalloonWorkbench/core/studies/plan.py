@@ -45,11 +45,20 @@ def planned(study: Study) -> Iterator[Planned]:
             yield Planned(number, row, None, str(error))
 
 
-def distinct(study: Study, share: tuple[int, int] = (1, 1)) -> Iterator[Job]:
-    """Each job once, in the order of the rows; share (i, n): only the i-th of n equal parts of them."""
+def distinct(
+    study: Study, share: tuple[int, int] = (1, 1), senseless: dict[int, str] | None = None
+) -> Iterator[Job]:
+    """Each job once, in the order of the rows; share (i, n): only the i-th of n equal parts of them.
+
+    senseless  takes sentences by number about rows that have none
+    """
     seen: set[bytes] = set()
     for row in planned(study):
-        if row.job is None or (digest := bytes.fromhex(row.key)) in seen:
+        if row.job is None:
+            if senseless is not None:
+                senseless[row.number] = row.sentence
+            continue
+        if (digest := bytes.fromhex(row.key)) in seen:
             continue
         if len(seen) % share[1] == share[0] - 1:
             yield row.job

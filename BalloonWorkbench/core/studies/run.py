@@ -38,12 +38,14 @@ class Outcome:
 
     balloons  how many belong to it, or to its share
     made      how many of them were worked out now, failures too
+    senseless sentences by number about the rows of the study that make no sense
     failures  sentences by key about those that failed now
     tables    the paths of its table; none for a share
     """
 
     balloons: int
     made: int
+    senseless: dict[int, str]
     failures: dict[str, str] = field(default_factory=dict)
     tables: tuple[Path, ...] = ()
 
@@ -82,7 +84,8 @@ def run_study(
         raise InputError(f"There is no share {share[0]} of {share[1]}: write one from 1/{share[1]} on.")
     folder = StudyFolder(out)
     with folder.in_use(share):
-        balloons = sum(1 for _ in distinct(study, share))
+        senseless: dict[int, str] = {}
+        balloons = sum(1 for _ in distinct(study, share, senseless))
         there = 0
 
         def missing() -> Iterator[Job]:
@@ -103,7 +106,7 @@ def run_study(
                     failures[last.key] = last.sentence
                 observe(there + made, balloons, last)
         tables = tuple(write_table(study, folder, failures)) if share == WHOLE else ()
-    return Outcome(balloons, made, failures, tables)
+    return Outcome(balloons, made, senseless, failures, tables)
 
 
 def _check(last: Finished, folder: StudyFolder) -> None:

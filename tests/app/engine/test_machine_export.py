@@ -96,9 +96,26 @@ def test_freecads_importer_reads_the_dxf(pattern, tmp_path, name):
 
 def test_every_machine_writes(pattern, tmp_path):
     for path in sorted(FOLDER.glob("*.json")):
+        if machine(path.stem).tool:
+            continue
         written = export_for(pattern, path.stem, tmp_path)
         assert written.stat().st_size > 200
     assert export_for(pattern, "paper", tmp_path / "pages.pdf", "A4").read_bytes().startswith(b"%PDF")
+
+
+def test_gcode_takes_what_only_the_user_knows_from_an_own_file(pattern, tmp_path, monkeypatch):
+    """Without it the check says what to give, and nothing is written."""
+    data = json.loads((FOLDER / "gcode-grbl.json").read_text(encoding="utf-8"))
+    data["tool"] |= {"feed_mm_min": 600, "power_percent": 40}
+    (tmp_path / "foil.json").write_text(json.dumps({**data, "name": "foil", "bed_mm": None}))
+    monkeypatch.setenv("BALLOON_MACHINES", str(tmp_path))
+    content = export_for(pattern, "foil", tmp_path).read_text("ascii")
+    assert "M4 S400" in content
+    (finding,) = (each for each in check_for(pattern, "gcode-grbl") if each.severity == "error")
+    assert "power_percent of the tool in a machine file of your own" in finding.text
+    with pytest.raises(ExportError, match="feed and power of your laser"):
+        export_for(pattern, "gcode-grbl", tmp_path)
+    assert len(list(tmp_path.iterdir())) == 2
 
 
 def test_too_large_is_refused_and_nothing_written(pattern, tmp_path, monkeypatch):

@@ -230,6 +230,14 @@ def test_another_document_is_another_balloon(parts, tmp_path):
     parts.balloon.Pressure = 1.7
     parts.balloon.Document.recompute()
     assert key() != first
+    other = key()
+    for width in range(10):
+        parts.balloon.Pressure = 2 + 0.1 * width
+        last = key()
+    copies = list(tmp_path.rglob("*.FCStd"))
+    assert len(copies) == 8, "copies of documents that are no more are removed"
+    parts.balloon.Pressure = 1.7
+    assert (key(), last) == (other, last)
 
 
 def test_a_study_is_stopped_within_a_second(parts, tmp_path):

@@ -189,6 +189,19 @@ def test_a_shard_that_is_none(share: str, tmp_path: Path, capfd: pytest.CaptureF
     assert "--shard" in capfd.readouterr().err
 
 
+def test_rows_that_make_no_sense_are_told_with_the_result(
+    tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    study = tmp_path / "s.csv"
+    study.write_text("input,width\nmissing.svg,1m\n,1m\n")
+    assert command_line.main(["study", str(study), "--out", str(tmp_path / "out")]) == 0
+    told = capfd.readouterr().out
+    assert "Rows: 2, of these make no sense: 2" in told
+    assert "Row 1: " in told
+    assert "missing.svg" in told
+    assert "Row 2: The row has no input" in told
+
+
 def test_a_dry_run_leaves_nothing(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
     study = written(tmp_path, vary={"input": str(CUBE), "width": ["1m", "x"]})
     assert command_line.main(["study", str(study), "--out", str(tmp_path / "out"), "--dry-run"]) == 0

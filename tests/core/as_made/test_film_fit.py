@@ -104,7 +104,7 @@ def test_the_error_grows_with_the_scatter_and_covers_it() -> None:
 
 
 def test_the_error_is_what_wrinkles_leave() -> None:
-    """Twenty outlines with bumps some centimetres long: what is found scatters by the errors that are told."""
+    """Twenty outlines with bumps some centimetres long: what comes out scatters by the errors that it has."""
     expected, scale = dense(FLAG), PhotoScale(1e-6, 0.0)
     narrower = Outline(by_film(expected.outer, -0.0008))
     along = np.append(0.0, np.cumsum(np.hypot(*np.diff(expected.outer, axis=0).T)))

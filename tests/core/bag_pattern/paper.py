@@ -49,15 +49,22 @@ class Sheet:
     edges: list[Edge]
 
 
-def read(content: bytes, seal_width: float) -> Sheet:
-    """The panels of a DXF; seal_width [mm]."""
+def read(content: bytes, seal_width: float, middles: np.ndarray) -> Sheet:
+    """The panels of a DXF, in the order of the middles (n, 2) mm of what is cut; seal_width [mm].
+
+    In a file they follow each other as the way of the tool is short.
+    """
     document = ezdxf.read(io.StringIO(content.decode()))
     lines: dict[str, list[tuple[np.ndarray, bool]]] = {}
     for entity in document.modelspace().query("LWPOLYLINE"):
         points = np.array([(x, y) for x, y, *_ in entity.get_points("xy")])
         lines.setdefault(entity.dxf.layer, []).append((points, bool(entity.closed)))
     sheet = Sheet([], [])
-    for cut, _ in lines["CUT"]:
+    cuts = [cut for cut, _ in lines["CUT"]]
+    found = np.array([0.5 * (cut.min(axis=0) + cut.max(axis=0)) for cut in cuts])
+    order = [int(np.argmin(np.linalg.norm(found - middle, axis=1))) for middle in middles]
+    assert sorted(order) == list(range(len(cuts)))
+    for cut in (cuts[number] for number in order):
         film = shapely.Polygon(cut)
         seals = [
             points for points, closed in lines["SEAL"] if closed and film.contains(shapely.Point(points[0]))

@@ -13,6 +13,7 @@ from paper import NEAR, read
 from BalloonWorkbench.core.bags.bag import Bag
 from BalloonWorkbench.core.machines.machine import machines
 from BalloonWorkbench.core.machines.machine_file import machine_file
+from BalloonWorkbench.core.pattern.pattern import Role
 
 
 def loop_length(points: np.ndarray) -> float:
@@ -35,7 +36,10 @@ def simulated(bag: Bag) -> list[tuple[tuple[int, float, bool], ...]]:
 def test_panels_glued_along_their_numbers_are_the_bag(name: str) -> None:
     bag = BAGS[name]
     patterns = made(name, intake=False)
-    sheet = read(machine_file(patterns.sheet, machines()["any-dxf"]), 1e3 * FILM.seal_width)
+    laid = [contour.points for contour in patterns.sheet.of(Role.CUT)]
+    middles = np.array([0.5 * (cut.min(axis=0) + cut.max(axis=0)) for cut in laid]) - patterns.sheet.bounds[0]
+    file = machine_file(patterns.sheet, machines()["any-dxf"])
+    sheet = read(file, 1e3 * FILM.seal_width, 1e3 * middles)
     assert len(sheet.areas) == len(bag.panels)
     assert sheet.areas == pytest.approx([1e6 * area(panel.loops) for panel in bag.panels], rel=1e-4)
     assert Counter(edge.number for edge in sheet.edges) == dict.fromkeys(range(1, len(bag.seams) + 1), 2)

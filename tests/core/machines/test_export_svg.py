@@ -47,17 +47,17 @@ def test_real_size_and_layers(name: str) -> None:
         assert group.attrib[f"{INKSCAPE}label"] == group.attrib["id"]
         assert group.attrib["stroke"] == COLOURS[group.attrib["id"]]
         assert group.attrib["fill"] == "none"
-        contours = pattern.of(Role(group.attrib["id"]))
+        contours = list(pattern.of(Role(group.attrib["id"])))
         assert len(group) == len(contours)
-        for path, contour in zip(group, contours):
+        for path in group:  # in the order of a short way
             course = path.attrib["d"]
             assert course.startswith("M ")
-            assert course.endswith(" Z") == contour.closed
             words = course.removeprefix("M ").removesuffix(" Z").replace(" L ", " ").split(" ")
             read = np.array(words, dtype=float).reshape(-1, 2)
-            wanted = (
-                np.stack([contour.points[:, 0] - low[0], high[1] - contour.points[:, 1]], axis=1) * 1000.0
-            )
+            sheet = [np.stack([c.points[:, 0] - low[0], high[1] - c.points[:, 1]], axis=1) for c in contours]
+            number = min(range(len(sheet)), key=lambda k: np.abs(1000.0 * sheet[k][0] - read[0]).max())
+            assert course.endswith(" Z") == contours.pop(number).closed
+            wanted = 1000.0 * sheet[number]
             assert read.shape == wanted.shape
             assert np.abs(read - wanted).max() < 0.01
 

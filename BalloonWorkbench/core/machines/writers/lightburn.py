@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from BalloonWorkbench.core.arcs.curves import Curve
 from BalloonWorkbench.core.errors import ExportError
-from BalloonWorkbench.core.machines.laser_settings import LaserSettings
+from BalloonWorkbench.core.machines.layers import LaserSettings
 from BalloonWorkbench.core.machines.machine import TOOL_LAYER, Machine
 from BalloonWorkbench.core.machines.toolpaths import Toolpaths
 from BalloonWorkbench.core.pattern.pattern import Role
