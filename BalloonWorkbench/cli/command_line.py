@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 from BalloonWorkbench.cli import bed, console, making, many_panels
 from BalloonWorkbench.cli import document as cli_document
+from BalloonWorkbench.cli.compare.arguments import COMPARE
 from BalloonWorkbench.cli.freecad_process import FreecadProcess
 from BalloonWorkbench.cli.home import home
 from BalloonWorkbench.cli.options import FETCH, language_of, parser
@@ -67,6 +68,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
                 options = parser().parse_args(arguments)
                 if options.command == STUDY:
                     return run.study(options)
+                if options.command == COMPARE:
+                    return run.compare(options)
                 if options.command != FETCH:
                     return run.command(options)
             return run.fetch_solver()  # into the user's own home, if anywhere there
@@ -133,6 +136,14 @@ class _Run:
         from BalloonWorkbench.cli.studies import command  # only here: no other command needs it
 
         self._left = "the balloons that were made stay, and the same command goes on"
+        return command.run(options, self.say)
+
+    def compare(self, options: argparse.Namespace) -> int:
+        """Lay a photograph over what was worked out."""
+        from BalloonWorkbench.cli.compare import command  # only here: no other command needs it
+
+        for name in (options.photo, options.input):
+            _refuse_streams(name)
         return command.run(options, self.say)
 
     def command(self, options: argparse.Namespace) -> int:

@@ -10,6 +10,7 @@ from functools import partial
 from typing import Any, NoReturn, TypeVar
 
 from BalloonWorkbench import __version__
+from BalloonWorkbench.cli.compare.arguments import COMPARE, WITHOUT, add_compare
 from BalloonWorkbench.cli.console import UNSHOWN, complain, show
 from BalloonWorkbench.cli.studies.arguments import STUDY, add_study
 from BalloonWorkbench.core.errors import InputError
@@ -77,6 +78,10 @@ def parser() -> argparse.ArgumentParser:
         command.add_argument("--out", metavar="DIR", required=True, help="folder for the files")
         _add_language(command)
         _add_options(command)
+    compare = _add_parser(commands, COMPARE, "lay a photograph of a balloon, or a scanned panel, over it")
+    add_compare(compare)
+    _add_language(compare)
+    _add_options(compare, WITHOUT)
     study = _add_parser(commands, STUDY, "make many balloons, from a table of options or a grid")
     add_study(study)
     _add_language(study)
@@ -95,11 +100,12 @@ def _add_parser(commands: Any, name: str, purpose: str) -> argparse.ArgumentPars
     return parser
 
 
-def _add_options(command: argparse.ArgumentParser) -> None:
-    """All that core/options declares for the command line, by topic."""
+def _add_options(command: argparse.ArgumentParser, without: Sequence[type] = ()) -> None:
+    """All that core/options declares for the command line, by topic; without those of some dataclasses."""
     places: dict[str, Any] = {}
+    left_out = {option.key for declaring in without for option in options_of(declaring)}
     for option in options():
-        if not option.flag_name:
+        if not option.flag_name or option.key in left_out:
             continue
         if option.topic not in places:
             places[option.topic] = command.add_argument_group(option.topic.lower())

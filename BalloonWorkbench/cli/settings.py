@@ -31,7 +31,7 @@ if TYPE_CHECKING:  # loaded where it is needed
 def settings_of(options: argparse.Namespace) -> Settings:
     """How the balloon is made. Raises InputError for options that exclude each other."""
     filling = typed(options, FillingOptions)
-    inflation = replace(typed(options, InflationOptions), correct=options.command == "design")
+    inflation = replace(typed(options, InflationOptions), correct=_corrected(options))
     return Settings(
         **vars(typed(options, ReadingOptions)),
         **vars(inflation),
@@ -45,6 +45,11 @@ def settings_of(options: argparse.Namespace) -> Settings:
         target=typed(options, TargetOptions),
         welding=typed(options, WeldingOptions),
     )
+
+
+def _corrected(options: argparse.Namespace) -> bool:
+    """Whether the pattern is corrected: by design, and where a comparison does not say otherwise."""
+    return options.command == "design" or not getattr(options, "uncorrected", True)
 
 
 def _goal(options: argparse.Namespace) -> SizeGoal | None:

@@ -42,7 +42,7 @@ ROOMS += ["panels", "mesh", "bags", "bodies", "targets", "segmentation", "seam_e
 ROOMS += ["solver", "design", "correction", "bag_design", "target_design", "results"]
 ROOMS += ["pattern", "bag_pattern", "nesting", "making", "tolerances"]
 ROOMS += ["machines", "pictures", "artwork", "scenes", "assembly_sheet", "advice", "reports", "web_pages"]
-ROOMS += ["studies"]
+ROOMS += ["as_made", "studies"]
 
 OPTIONAL = ["cv2", "scipy", "ezdxf", "shapely", "pythoncdt", "matplotlib", "PIL"]
 OPTIONAL += ["spyrrow", "distributed", "dask", "dask_jobqueue", "dask_kubernetes", "pyarrow"]

@@ -30,15 +30,26 @@ def films() -> dict[str, Film]:
 
 
 def film(name: str) -> Film:
-    """The film of this name; capitals and spaces do not matter.
+    """The film of this name, capitals and spaces do not matter, or the one that a file (.json) describes.
 
     Raises InputError with the known names when there is none.
     """
+    if name.lower().endswith(".json"):
+        return read_film(Path(name))
     known = _library()
     named = known.get("-".join(name.lower().split()))
     if named is None:
         raise InputError(f'There is no film "{name}": choose one of {", ".join(known)}.')
     return named
+
+
+def film_data(name: str) -> dict[str, Any]:
+    """What the file of a film says, by its name or that of the file. Raises InputError as `film` does."""
+    path = Path(name)
+    if not name.lower().endswith(".json"):
+        path = FOLDER / f"{film(name).name}.json"
+    read_film(path)
+    return dict(read_data(path))
 
 
 def custom_film(young: float, poisson: float, thickness: float, areal_density: float | None = None) -> Film:

@@ -1,11 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How each role looks where a machine does not say otherwise: in files, in pictures and in the 3D view."""
+"""How each role looks where a machine does not say otherwise: in files, in pictures and in the 3D view; and
+how a laser burns a layer, which only the user's own file of a machine says.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
+from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.pattern.pattern import Role
+from BalloonWorkbench.core.units import from_mm, number_text
 
 
 @dataclass(frozen=True)
@@ -28,3 +34,55 @@ LAYERS = {
     Role.PRINT: Layer(8, "#808080"),
     Role.REGISTRATION: Layer(4, "#00ffff"),
 }
+
+#: Keys of a layer, and from where to where their values go.
+_LIMITS = {
+    "speed_mm_s": (0.01, 1e5),
+    "max_power_percent": (0.1, 100.0),
+    "min_power_percent": (0.0, 100.0),
+    "passes": (1, 1000),
+}
+
+
+@dataclass(frozen=True)
+class LaserSettings:
+    """How a layer is burnt: speed [m/s]; shares of the full power, the least in corners; how often.
+
+    What is None is left to the laser's program.
+    """
+
+    speed: float
+    max_power: float
+    min_power: float | None = None
+    passes: int | None = None
+
+
+def laser_settings(line: Mapping[str, Any], name: str) -> LaserSettings | None:
+    """Those of a layer in a machine's file, None where it has none. InputError for such as no laser has."""
+    values = {key: _value(line[key], f"{key} of {name}", *_LIMITS[key]) for key in _LIMITS if key in line}
+    if not values:
+        return None
+    for key in ("speed_mm_s", "max_power_percent"):
+        if key not in values:
+            raise InputError(f"the layer {name} lacks {key}: give speed and power together, or neither.")
+    power = values["max_power_percent"]
+    least, passes = values.get("min_power_percent"), values.get("passes")
+    if least is not None and least > power:
+        raise InputError(f"min_power_percent of {name} is more than max_power_percent: exchange the two.")
+    if passes is not None and passes != int(passes):
+        raise InputError(f"passes of {name} is {number_text(passes)}: give a whole number.")
+    return LaserSettings(
+        from_mm(values["speed_mm_s"]),
+        0.01 * power,
+        None if least is None else 0.01 * least,
+        None if passes is None else int(passes),
+    )
+
+
+def _value(value: object, what: str, low: float, high: float) -> float:
+    number = float(value) if isinstance(value, (int, float)) and not isinstance(value, bool) else float("nan")
+    if not low <= number <= high:
+        raise InputError(
+            f"{what} is {value!r}: give a number from {number_text(low)} to {number_text(high)}."
+        )
+    return number

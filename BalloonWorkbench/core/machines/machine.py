@@ -17,7 +17,7 @@ from typing import Any
 from BalloonWorkbench.core.arcs.fit_arcs import TOLERANCE
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.files.data_file import RESOURCES, UNUSABLE, data_files, read_data
-from BalloonWorkbench.core.machines.layers import LAYERS
+from BalloonWorkbench.core.machines.layers import LAYERS, LaserSettings, laser_settings
 from BalloonWorkbench.core.machines.tool import CONTROLLERS, LINUXCNC, MachineTool, changed, read_tool
 from BalloonWorkbench.core.options.making import ToolOptions
 from BalloonWorkbench.core.pattern.pattern import Role
@@ -50,7 +50,7 @@ _COLOUR = re.compile(r"#[0-9a-f]{6}")
 class Line:
     """How a role is written: layer, AutoCAD colour index, RGB colour, line type, pen of a plotter.
 
-    In a LightBurn project the pen is the number of the layer.
+    In a LightBurn project the pen is the number of the layer, and laser how it is burnt, where users say so.
     """
 
     name: str
@@ -58,6 +58,12 @@ class Line:
     rgb: str
     line: str
     pen: int
+    laser: LaserSettings | None = None
+
+    @property
+    def is_burnt(self) -> bool:
+        """Whether a LightBurn project burns it: the tool layers are only shown."""
+        return self.pen < TOOL_LAYER
 
 
 @dataclass(frozen=True)
@@ -235,8 +241,8 @@ def read_machine(path: Path) -> Machine:
 #: Files made before notches, folds and drawn marks had layers of their own have one for all of them. It may
 #: be one that is cut, and a fold goes across the neck: only notches are written there.
 _MARK, _NOTCH = "MARK", Role.NOTCH.value
-#: LightBurn knows so many.
-_PROJECT_LAYERS = 32
+#: LightBurn knows so many layers; the last two, T1 and T2, are tool layers.
+_PROJECT_LAYERS, TOOL_LAYER = 32, 30
 
 _KEYS = {
     "name", "title", "note", "format", "version", "unit", "arcs", "bed_mm", "kerf_mm", "knife_offset_mm",
@@ -283,11 +289,28 @@ def _machine_of(data: dict[str, Any]) -> Machine:
         )
     if kind in ("hpgl", "pdf", "lbrn2", "gcode") and described.unit != "mm":
         raise InputError(f'a {kind.upper()} file has a unit of its own: give "unit": "mm".')
-    if kind == "lbrn2" and any(line.pen >= _PROJECT_LAYERS for line in described.layers.values()):
-        raise InputError(f"a LightBurn project has layers up to {_PROJECT_LAYERS - 1}: change the pen.")
+    _check_laser(described)
     if kind == "hpgl" and described.arcs:
         raise InputError('HPGL is written as polylines: give "arcs": false.')
     return described
+
+
+def _check_laser(machine: Machine) -> None:
+    """InputError for layers that LightBurn does not have, or that cannot be burnt as it is said."""
+    lines = machine.layers.values()
+    project = machine.format == "lbrn2"
+    if project and any(line.pen >= _PROJECT_LAYERS for line in lines):
+        raise InputError(f"a LightBurn project has layers up to {_PROJECT_LAYERS - 1}: change the pen.")
+    for line in lines:
+        if line.laser is not None and not (project and line.is_burnt):
+            raise InputError(
+                f"{line.name} has a speed and a power, which only layers below {TOOL_LAYER} of a LightBurn"
+                " project have: remove them."
+            )
+        if project and any(other.pen == line.pen and other.laser != line.laser for other in lines):
+            raise InputError(
+                f"layer {line.pen} of the LightBurn project has two speeds or powers: give its roles one."
+            )
 
 
 def _tool(data: dict[str, Any], kind: str) -> MachineTool | None:
@@ -321,7 +344,8 @@ def _layers(data: dict[str, dict[str, Any]]) -> dict[Role, Line]:
         aci, pen = int(line.get("aci", LAYERS[role].aci)), int(line.get("pen", 1))
         if not (1 <= aci <= 255 and 1 <= pen <= 255):
             raise InputError(f"colour index {aci} and pen {pen} of {name} must be from 1 to 255.")
-        layers[role] = Line(name, aci, rgb, _one_of(line.get("line", LINE_TYPES[0]), LINE_TYPES, "line"), pen)
+        dashes = _one_of(line.get("line", LINE_TYPES[0]), LINE_TYPES, "line")
+        layers[role] = Line(name, aci, rgb, dashes, pen, laser_settings(line, name))
     return layers
 
 

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Set
 from dataclasses import dataclass
 from typing import Any
 
@@ -22,7 +22,7 @@ from BalloonWorkbench.core.machines.tool import WELDS, lacking
 from BalloonWorkbench.core.machines.toolpaths import fitted
 from BalloonWorkbench.core.options.making import REFUSE, WRITE
 from BalloonWorkbench.core.packages import shapely
-from BalloonWorkbench.core.pattern.pattern import Contour, Pattern
+from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import (
     INCH,
@@ -76,7 +76,7 @@ def preflight(pattern: Pattern, machine: Machine, oversize: str = REFUSE) -> tup
         findings += _radius(cuts or [contour for contour in taken if contour.role in WELDS], machine)
         findings += _gap(taken, machine)
     findings += _size(pattern, machine, oversize)
-    findings += _tool(machine)
+    findings += [*_laser({contour.role for contour in taken}, machine), *_tool(machine)]
     findings += [PreflightFinding(WARNING, remark) for remark in machine.remarks]
     return tuple(sorted(findings, key=lambda finding: finding.severity != ERROR))
 
@@ -250,6 +250,26 @@ def _size(pattern: Pattern, machine: Machine, oversize: str) -> list[PreflightFi
         else f"{sizes}: make the balloon smaller, choose another machine or paper, or write the file anyway."
     )
     return [PreflightFinding(ERROR, text, oversize=True)]
+
+
+def _laser(roles: Set[Role], machine: Machine) -> Iterator[PreflightFinding]:
+    """What a LightBurn project does not say, and what it says already."""
+    if machine.format != "lbrn2":
+        return
+    lines = [line for role, line in machine.layers.items() if role in roles and line.is_burnt]
+    unknown = [line.name for line in lines if line.laser is None]
+    if unknown:
+        yield PreflightFinding(
+            WARNING,
+            f"No speed and power are known for {', '.join(unknown)}, so none are written: set them in"
+            " LightBurn, or give speed_mm_s and max_power_percent in a file of your machine.",
+        )
+    if machine.kerf:
+        yield PreflightFinding(
+            WARNING,
+            f"The lines make up for a kerf of {length_text(machine.kerf)} already: leave LightBurn's kerf"
+            " offset at 0.",
+        )
 
 
 def _tool(machine: Machine) -> list[PreflightFinding]:

@@ -20,7 +20,7 @@ class MaterialOptions:
 
     material: str | None = FILM(Kind.CHOICE, None,
         "What the balloon is made of; Custom lets you give your own values", label="Film", prop="Film",
-        typed=f"Film of the library, by default {DEFAULT_FILM}, one of",
+        typed=f"Film of the library, by default {DEFAULT_FILM}, or a .json file like those; one of",
         choices=partial(titles_in, "films"), metavar="NAME", begins=DEFAULT_FILM, preference="Film")
 
 

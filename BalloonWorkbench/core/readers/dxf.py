@@ -47,7 +47,15 @@ _UNITS = {
 
 def read_dxf(data: bytes, tolerance: float, budget: Budget) -> tuple[list[Floats], list[Floats], list[str]]:
     """Lines (n, 2) m of the model space of a DXF file, closed ones with their first point repeated; those on
-    the layer of welds, and the points on it; remarks.
+    the layer of welds, and the points on it; remarks. See `dxf_lines`.
+    """
+    lines, notes = dxf_lines(data, tolerance, budget)
+    by_kind = [[line for layer, line in lines if (layer == LAYER) == weld] for weld in (False, True)]
+    return by_kind[0], by_kind[1], notes
+
+
+def dxf_lines(data: bytes, tolerance: float, budget: Budget) -> tuple[list[tuple[str, Floats]], list[str]]:
+    """Lines (n, 2) m of the model space of a DXF file with their layers, in small letters; remarks.
 
     Blocks are taken apart; layers that are off or frozen are left out.
 
@@ -64,11 +72,8 @@ def read_dxf(data: bytes, tolerance: float, budget: Budget) -> tuple[list[Floats
     with foreign_reader(_refusal):
         document, notes = _document(data, budget)
         unit, more = _unit(document)
-        lines: list[Floats] = []
-        welds: list[Floats] = []
-        for layer, line in _lines(document, tolerance / unit, budget):
-            (welds if layer == LAYER else lines).append(line * unit)
-    return lines, welds, [*notes, *more]
+        lines = [(layer, line * unit) for layer, line in _lines(document, tolerance / unit, budget)]
+    return lines, [*notes, *more]
 
 
 def _refusal(_: str) -> InputError:

@@ -36,7 +36,7 @@ def coverage(rgba: NDArray[np.uint8]) -> Pixels:
     if border.mean() >= _CLEAR_BORDER:
         return np.minimum(alpha / np.float32(np.percentile(alpha[~clear], 95)), 1)
     colours = rgba[..., :3].astype(np.float32)
-    background = _background(colours, clear)
+    background = background_colours(colours, clear)
     difference = np.linalg.norm(colours - background, axis=2).astype(np.float32)
     difference[clear] = 0
     highest = float(difference.max())
@@ -45,7 +45,7 @@ def coverage(rgba: NDArray[np.uint8]) -> Pixels:
     return _soften(difference, _threshold(difference, highest))
 
 
-def _background(colours: NDArray[np.float32], clear: Bools) -> NDArray[np.float32]:
+def background_colours(colours: NDArray[np.float32], clear: Bools) -> NDArray[np.float32]:
     """Colour of the background at each pixel (h, w, 3): a smooth model of what most of the border shows."""
     height, width = clear.shape
     rim = max(1, round(0.004 * min(height, width)))

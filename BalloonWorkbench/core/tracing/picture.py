@@ -65,13 +65,14 @@ def picture_drawing(
         raise InputError("A picture has no size of its own. Give the width or the height of the balloon.")
     budget = budget or Budget()
     picture_size(path)
-    with foreign_reader(lambda _: _refusal(path.name)):
+    with foreign_reader(lambda _: damaged(path.name)):
         pixels = (decode or decode_with_opencv)(path)
     drawing, _ = placed_drawing(shrunk(pixels), drawn_as=drawn_as, budget=budget)
     return checked(scale_to(drawing, width, height), budget)
 
 
-def _refusal(name: str) -> PictureError:
+def damaged(name: str) -> PictureError:
+    """What is said of a picture file of this name that cannot be unpacked."""
     return PictureError(f"'{name}' is damaged or not a picture. Save it as PNG, JPEG or BMP once more.")
 
 
