@@ -1095,6 +1095,10 @@
         <translation>„{0}“ hat seine Bahnen, wie sie geschnitten werden: inflate statt design benutzen.</translation>
     </message>
     <message>
+        <source>'{0}' has no closed line: give the pattern as it was cut.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>'{0}' has no panels of its own: give gores, or the width of a side band.</source>
         <translation>„{0}“ hat keine eigenen Bahnen: Segmente oder die Breite eines Seitenbands angeben.</translation>
     </message>
@@ -1303,6 +1307,10 @@
         <translation>--oversize scale verkleinert den Ballon, bis er passt, --oversize write schreibt die Datei trotzdem, --bed sagt, wie groß das Bett ist.</translation>
     </message>
     <message>
+        <source>--rim is the width of the weld and of the film beside it: give 0 to 1 m.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>--target-volume and --target-lift decide the size: leave out --width and --height.</source>
         <translation>--target-volume und --target-lift bestimmen die Größe: --width und --height weglassen.</translation>
     </message>
@@ -1369,6 +1377,14 @@
     <message>
         <source>A file of this name is there already</source>
         <translation>Eine Datei mit diesem Namen gibt es schon</translation>
+    </message>
+    <message>
+        <source>A fitted film is written beside the numbers of a known one: give it by --material.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A flat panel has no pressure and no rim: leave out --fit, --rim and --uncorrected.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A goal has no '{0}': it has one of {1}, and {2}, {3} and {4}.</source>
@@ -1499,6 +1515,10 @@
         <translation>Eine Naht nahe {0} würde zweimal über dieselbe Stelle laufen. Sie in zwei Teilen zeichnen.</translation>
     </message>
     <message>
+        <source>A separating layer of PTFE gives off poisonous fumes above {0}: lay baking paper between tool and film, and air the room.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>A sketch with dimensions: change a cell of the spreadsheet, and all follows</source>
         <translation>Eine Skizze mit Maßen: eine Zelle der Tabelle ändern, und alles folgt</translation>
     </message>
@@ -1525,6 +1545,10 @@
     <message>
         <source>A study of tolerances takes 1 to {0} samples, not {1}: {2} tell a lot.</source>
         <translation>Eine Toleranzstudie nimmt 1 bis {0} Stichproben, nicht {1}: {2} sagen schon viel.</translation>
+    </message>
+    <message>
+        <source>A tool is that of a machine that reads G-code: give --machine gcode-grbl or another.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A volume of {0} cannot be made: give one such as 10l.</source>
@@ -1699,6 +1723,14 @@
         <translation>Bildvorlage</translation>
     </message>
     <message>
+        <source>As made over what was expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As made: {0}, expected: {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Assembly sheet</source>
         <translation>Montageblatt</translation>
     </message>
@@ -1709,6 +1741,10 @@
     <message>
         <source>At least 95 of 100 balloons bear {0} with their margin, by {1} samples and with a confidence of 95 %.</source>
         <translation>Mindestens 95 von 100 Ballons halten {0} mit ihrer Reserve aus, nach {1} Stichproben und mit 95 % Sicherheit.</translation>
+    </message>
+    <message>
+        <source>At work the {0} is {1} above the film, and lifted {2} only: give it more depth, or a higher lift_mm.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>At worst the film lies {0} on the wrong side of the body, and a margin of {1} was asked for. Take more panels, or a larger margin.</source>
@@ -2219,6 +2255,10 @@
         <translation>Gescheitert</translation>
     </message>
     <message>
+        <source>Farthest off near {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Farthest point</source>
         <translation>Fernster Punkt</translation>
     </message>
@@ -2431,6 +2471,14 @@
         <translation>Vorderseite, Rückseite und ein Band dazwischen: seine Breite ändern</translation>
     </message>
     <message>
+        <source>G-code, and no other format, has a tool: give both or none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>GRBL machine (G-code)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Gaps of up to {0} between lines were closed.</source>
         <translation>Lücken bis {0} zwischen Linien wurden geschlossen.</translation>
     </message>
@@ -2577,6 +2625,10 @@
     <message>
         <source>Holes of the mesh that were closed: {0}.</source>
         <translation>Löcher des Netzes, die geschlossen wurden: {0}.</translation>
+    </message>
+    <message>
+        <source>Home, then set X0 Y0 at the lower left corner of the film and Z0 where the tip touches the layer over it (G92); nothing homes. Lay baking paper or PTFE between tip and film, tape the film flat.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Hours of welding, where they are known</source>
@@ -2915,6 +2967,10 @@
         <translation>Linien neben den Formen, die nichts umschließen, wurden weggelassen.</translation>
     </message>
     <message>
+        <source>LinuxCNC machine (G-code)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Live</source>
         <translation>Live</translation>
     </message>
@@ -2971,8 +3027,16 @@
         <translation>Den Ballon verkleinern und neu aufblasen, bis sein Schnittmuster auf das Bett passt. Schweißnaht und Zugabe behalten ihre Breite; einmal Rückgängig nimmt es zurück</translation>
     </message>
     <message>
+        <source>Making tool paths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Marks</source>
         <translation>Markierungen</translation>
+    </message>
+    <message>
+        <source>Marlin printer (G-code)</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Material</source>
@@ -3167,6 +3231,10 @@
         <translation>Nahe {0} lässt sich keine Naht zeichnen.</translation>
     </message>
     <message>
+        <source>No shape in the photograph is like the one that was expected: take it straight from the front, on a plain background without anything else in it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>No shape stands out in the picture. Use stronger colours or a plainer background.</source>
         <translation>Im Bild hebt sich keine Form ab. Kräftigere Farben oder einen ruhigeren Hintergrund benutzen.</translation>
     </message>
@@ -3187,6 +3255,10 @@
         <translation>Hier arbeitet kein Löser: {0} Ihn bauen oder das Paket scipy installieren.</translation>
     </message>
     <message>
+        <source>No speed and power are known for {0}, so none are written: set them in LightBurn, or give speed_mm_s and max_power_percent in a file of your machine.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>No triangle of the mesh has an area. Save the body as a mesh of triangles.</source>
         <translation>Kein Dreieck des Netzes hat eine Fläche. Den Körper als Netz aus Dreiecken speichern.</translation>
     </message>
@@ -3199,6 +3271,10 @@
         <translation>Nein, NumPy benutzen</translation>
     </message>
     <message>
+        <source>Nobody but you knows the {0} of your {1} for this film: give {2}, or {3} of the tool in a machine file of your own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>None</source>
         <translation>Keine</translation>
     </message>
@@ -3209,6 +3285,10 @@
     <message>
         <source>None of {0} balloons is within the limits; the nearest: {1}, asked for {2}.</source>
         <translation>Keiner von {0} Ballons liegt innerhalb der Grenzen; der nächste: {1}, verlangt war {2}.</translation>
+    </message>
+    <message>
+        <source>Not all holes are seen in the photograph: those that are not count as wrong.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Not possible</source>
@@ -3357,6 +3437,10 @@
     <message>
         <source>Only a film with another stiffness across has a grain: give --young-across too.</source>
         <translation>Nur eine Folie mit anderer Steifigkeit quer hat eine Laufrichtung: auch --young-across angeben.</translation>
+    </message>
+    <message>
+        <source>Only balloons of two equal panels are compared with a photograph: compare the panels of others one by one with --flat.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Only grades of this film with a sealing layer weld: try scraps before you cut.</source>
@@ -3811,6 +3895,10 @@
         <translation>Den Füllhals unten anbringen</translation>
     </message>
     <message>
+        <source>Put the same moves into the document, as objects of FreeCAD's workbench Path (CAM since 1.0), which can simulate them and write them with its post processors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>RDWorks (Ruida laser)</source>
         <translation>RDWorks (Ruida-Laser)</translation>
     </message>
@@ -4167,8 +4255,20 @@
         <translation>Selbstschließendes Folienventil</translation>
     </message>
     <message>
+        <source>Set X0 Y0 at the lower left corner of the film, and Z0 where the tool touches it; nothing homes. A laser wants laser mode, $32=1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set X0 Y0 at the lower left corner of the film, and Z0 where the tool touches it; nothing homes. For a swivel knife set its offset in a machine file of your own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Set the opening</source>
         <translation>Die Öffnung setzen</translation>
+    </message>
+    <message>
+        <source>Shadows on the background were taken off.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Shape that stays flat</source>
@@ -4309,6 +4409,10 @@
     <message>
         <source>Straw neck</source>
         <translation>Strohhalm-Hals</translation>
+    </message>
+    <message>
+        <source>Stretch of the film: {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Strips</source>
@@ -4621,6 +4725,10 @@
     <message>
         <source>The balloon has nothing that is called '{0}': {1}.</source>
         <translation>Der Ballon hat nichts, was „{0}“ heißt: {1}.</translation>
+    </message>
+    <message>
+        <source>The balloon has parts too thin to fit the film with: use a wider shape.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The balloon is not near rest. Inflate it anew.</source>
@@ -4971,6 +5079,10 @@
         <translation>Der Füllhals mündet in einen Teil mit {percent} der Folie; der Rest füllt sich durch etwas Engeres als der Hals. Ihn zum größten Teil verlegen.</translation>
     </message>
     <message>
+        <source>The intake was left out of the comparison.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The intake would run into another part of the balloon: choose another angle or length for it.</source>
         <translation>Der Füllhals liefe in einen anderen Teil des Ballons: einen anderen Winkel oder eine andere Länge wählen.</translation>
     </message>
@@ -5037,6 +5149,10 @@
     <message>
         <source>The line at {0} misses the body.</source>
         <translation>Die Linie bei {0} verfehlt den Körper.</translation>
+    </message>
+    <message>
+        <source>The lines make up for a kerf of {0} already: leave LightBurn's kerf offset at 0.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The lines of the drawing do not close around anything: the outline follows the lines.</source>
@@ -5231,6 +5347,14 @@
         <translation>Das Schnittmuster misst {0}, das Bett von {1} {2}</translation>
     </message>
     <message>
+        <source>The photograph shows the back: it was mirrored.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The photograph shows too many shapes: take one of the balloon alone, on a plain background.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The picture has a single colour. Choose one that shows a shape on a background.</source>
         <translation>Das Bild hat nur eine Farbe. Eines wählen, das eine Form vor einem Hintergrund zeigt.</translation>
     </message>
@@ -5355,6 +5479,14 @@
         <translation>In allen Zeilen gleich</translation>
     </message>
     <message>
+        <source>The scale '{0}' cannot be used: {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scale of {0} over {1} pixels has no length: mark two points that are far apart, and give the distance between them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The scheduler of Dask went away: start it and the study again; nothing is lost.</source>
         <translation>Der Scheduler von Dask ist weg: ihn und die Studie noch einmal starten; nichts geht verloren.</translation>
     </message>
@@ -5411,12 +5543,24 @@
         <translation>Den Einstellungen fehlt „{0}“: {"{1}": {2}} in ihre Datei schreiben.</translation>
     </message>
     <message>
+        <source>The shape has the colour of a shadow: shadows on the background count as part of it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The shape in the photograph measures {0}, {1} were expected: check the scale, or whether it is the right photograph.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The shape in the picture is too frayed to trace. Use a clearer picture.</source>
         <translation>Die Form im Bild ist zu ausgefranst zum Nachzeichnen. Ein klareres Bild benutzen.</translation>
     </message>
     <message>
         <source>The shape is only {0} thick near {1}, too thin for a mesh of {2}: make it thicker there, or use a mesh size of at most {3}.</source>
         <translation>Die Form ist nahe {1} nur {0} dick, zu dünn für ein Netz von {2}: dort verdicken oder höchstens {3} Netzweite benutzen.</translation>
+    </message>
+    <message>
+        <source>The shape touches the {0} border of the photograph: take one that shows all of it on a plain background.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The shape touches the {0} border of the picture; if it was cut off there, leave more margin.</source>
@@ -5599,6 +5743,10 @@
         <translation>Der Weg vom Füllhals in den Ballon verengt sich auf {0}, und der Hals ist {1} breit: ihn dorthin setzen, wo der Ballon breiter ist, sonst strömt Luft langsam ein.</translation>
     </message>
     <message>
+        <source>The weld draws the seam inward by {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The width and the height must be more than 0.</source>
         <translation>Breite und Höhe müssen mehr als 0 sein.</translation>
     </message>
@@ -5661,6 +5809,10 @@
     <message>
         <source>The {0} line that begins at {1} is open: programs fill, offset and cut closed lines only. Close it.</source>
         <translation>Die Linie {0}, die bei {1} beginnt, ist offen: Programme füllen, versetzen und schneiden nur geschlossene. Sie schließen.</translation>
+    </message>
+    <message>
+        <source>The {0} of a {1} must be from {2} to {3}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The {0} strays by {1} % in sample {2}, which leaves nothing of it: give a smaller spread.</source>
@@ -5919,6 +6071,10 @@
         <translation>Diese Zeile ist noch nicht berechnet: „Berechnen“ wählen.</translation>
     </message>
     <message>
+        <source>This shape does not tell a stretch of the film from a weld that draws the seam inward: it is either a stretch of {0}, or a weld that draws it inward by {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>This shape stays flat: it holds {percent} of the air that a round balloon of as much film would. Fewer and wider parts make it rounder.</source>
         <translation>Diese Form bleibt flach: Sie fasst {percent} der Luft, die ein runder Ballon aus ebenso viel Folie fassen würde. Weniger und breitere Teile machen sie runder.</translation>
     </message>
@@ -5953,6 +6109,14 @@
     <message>
         <source>Too many samples could not be made to say which pressure 95 of 100 balloons bear.</source>
         <translation>Zu viele Stichproben ließen sich nicht machen, um zu sagen, welchen Druck 95 von 100 Ballons aushalten.</translation>
+    </message>
+    <message>
+        <source>Tool paths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool paths, no file</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Tracing paper, 92 g/m²</source>
@@ -6089,6 +6253,10 @@
     <message>
         <source>Warm air</source>
         <translation>Warmluft</translation>
+    </message>
+    <message>
+        <source>Water column</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Weakest place</source>
@@ -6257,6 +6425,10 @@
     <message>
         <source>Will it float? {0}</source>
         <translation>Schwebt er? {0}</translation>
+    </message>
+    <message>
+        <source>With --scale {0} the size tells nothing of the film: give the photograph's scale to fit it.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>With a side band the balloon of this drawing becomes {0} to {1} thick, not {2}. Choose a thickness between, or draw its parts wider or narrower.</source>
@@ -6491,8 +6663,20 @@
         <translation>artwork.pdf wurde weggelassen. {0}</translation>
     </message>
     <message>
+        <source>as made is larger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as made is smaller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>at most </source>
         <translation>höchstens </translation>
+    </message>
+    <message>
+        <source>at most {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>at most {} ({})</source>
@@ -6583,6 +6767,10 @@
         <translation>leer: </translation>
     </message>
     <message>
+        <source>feed in corners</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>fetch the native solver from the network, where the workbench came without it</source>
         <translation>den nativen Löser aus dem Netz herunterladen, wo der Arbeitsbereich ohne ihn kam</translation>
     </message>
@@ -6601,6 +6789,10 @@
     <message>
         <source>film and valve weigh {0}</source>
         <translation>Folie und Ventil wiegen {0}</translation>
+    </message>
+    <message>
+        <source>fitted to the photograph {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>fold</source>
@@ -6747,6 +6939,10 @@
         <translation>nur bei zwei gleichen Bahnen bekannt</translation>
     </message>
     <message>
+        <source>layer {0} of the LightBurn project has two speeds or powers: give its roles one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>laying out, {0} so far</source>
         <translation>Auslegen, bisher {0}</translation>
     </message>
@@ -6795,6 +6991,10 @@
         <translation>darf geschnitten werden</translation>
     </message>
     <message>
+        <source>min_power_percent of {0} is more than max_power_percent: exchange the two.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>more than</source>
         <translation>mehr als</translation>
     </message>
@@ -6827,6 +7027,10 @@
         <translation>keine Ebene wird geschrieben: wenigstens CUT nennen.</translation>
     </message>
     <message>
+        <source>nobody knows "{0}" of a tool: it may be one of {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>nobody knows "{0}": it may be one of {1}.</source>
         <translation>niemand kennt „{0}“: möglich sind {1}.</translation>
     </message>
@@ -6837,6 +7041,10 @@
     <message>
         <source>notch</source>
         <translation>Passkerbe</translation>
+    </message>
+    <message>
+        <source>number for full power</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>opacity</source>
@@ -6853,6 +7061,10 @@
     <message>
         <source>pass {0}: {1}</source>
         <translation>Durchgang {0}: {1}</translation>
+    </message>
+    <message>
+        <source>passes of {0} is {1}: give a whole number.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>place "{0}" is neither {1} nor {2}.</source>
@@ -6901,6 +7113,10 @@
     <message>
         <source>size {0}, {1}</source>
         <translation>Größe {0}, {1}</translation>
+    </message>
+    <message>
+        <source>speed of the spindle</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>stale: </source>
@@ -6991,6 +7207,10 @@
         <translation>der Ebenenname „{0}“ darf 1 bis 31 Zeichen aus A-Z, 0-9, _, - und $ haben.</translation>
     </message>
     <message>
+        <source>the layer {0} lacks {1}: give speed and power together, or neither.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the name "{0}" of the stock goes into file names: take letters a to z.</source>
         <translation>der Name „{0}“ in stock kommt in Dateinamen: Buchstaben a bis z nehmen.</translation>
     </message>
@@ -7001,6 +7221,10 @@
     <message>
         <source>the sealing side {0} is no polymer: give one such as "PE", or "none".</source>
         <translation>die Siegelseite {0} ist kein Polymer: zum Beispiel „PE“ angeben, oder „none“.</translation>
+    </message>
+    <message>
+        <source>the tool "{0}" is none of {1}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the weld rigidity lacks its source: write where it is from, or "assumed".</source>
@@ -7197,6 +7421,10 @@
     <message>
         <source>{0} has a point that is no number or farther away than {1}. Check its coordinates and the unit.</source>
         <translation>{0} hat einen Punkt, der keine Zahl oder weiter weg als {1} ist. Koordinaten und Einheit prüfen.</translation>
+    </message>
+    <message>
+        <source>{0} has a speed and a power, which only layers below {1} of a LightBurn project have: remove them.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} has an error: repair it.</source>
@@ -7443,6 +7671,10 @@
         <translation>{0} ist {1}: eine Zahl von {2} bis {3} angeben.</translation>
     </message>
     <message>
+        <source>{0} is {1}: give a number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} is {1}: write true or false.</source>
         <translation>{0} ist {1}: true oder false schreiben.</translation>
     </message>
@@ -7469,6 +7701,10 @@
     <message>
         <source>{0} mm on paper = {1} of film</source>
         <translation>{0} mm auf Papier = {1} Folie</translation>
+    </message>
+    <message>
+        <source>{0} mm with an error of {1} mm</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} must never be cut with a laser: choose a machine with a knife.</source>
@@ -7567,6 +7803,10 @@
         <translation>{0} winzige Löcher wurden gefüllt.</translation>
     </message>
     <message>
+        <source>{0} turns a minute</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} was left out. {1}</source>
         <translation>{0} wurde weggelassen. {1}</translation>
     </message>
@@ -7581,6 +7821,10 @@
     <message>
         <source>{0} wide, {1} long</source>
         <translation>{0} breit, {1} lang</translation>
+    </message>
+    <message>
+        <source>{0} with an error of {1}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} with valve {1}</source>
@@ -7605,10 +7849,6 @@
     <message>
         <source>{0}: the file is written anyway.</source>
         <translation>{0}: Die Datei wird trotzdem geschrieben.</translation>
-    </message>
-    <message>
-        <source>{0}: turn the pattern by 90 degrees there.</source>
-        <translation>{0}: das Schnittmuster dort um 90 Grad drehen.</translation>
     </message>
     <message>
         <source>{0}: what changes it most</source>

@@ -1095,6 +1095,10 @@
         <translation>«{0}» tiene sus paneles tal como se cortan: use inflate en lugar de design.</translation>
     </message>
     <message>
+        <source>'{0}' has no closed line: give the pattern as it was cut.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>'{0}' has no panels of its own: give gores, or the width of a side band.</source>
         <translation>«{0}» no tiene paneles propios: indique gajos, o el ancho de una banda lateral.</translation>
     </message>
@@ -1303,6 +1307,10 @@
         <translation>--oversize scale reduce el globo hasta que quepa, --oversize write escribe el archivo de todos modos, --bed indica el tamaño de la cama.</translation>
     </message>
     <message>
+        <source>--rim is the width of the weld and of the film beside it: give 0 to 1 m.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>--target-volume and --target-lift decide the size: leave out --width and --height.</source>
         <translation>--target-volume y --target-lift deciden el tamaño: omita --width y --height.</translation>
     </message>
@@ -1369,6 +1377,14 @@
     <message>
         <source>A file of this name is there already</source>
         <translation>Ya hay un archivo con este nombre</translation>
+    </message>
+    <message>
+        <source>A fitted film is written beside the numbers of a known one: give it by --material.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A flat panel has no pressure and no rim: leave out --fit, --rim and --uncorrected.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A goal has no '{0}': it has one of {1}, and {2}, {3} and {4}.</source>
@@ -1499,6 +1515,10 @@
         <translation>Una costura cerca de {0} pasaría dos veces por el mismo lugar. Dibújela en dos partes.</translation>
     </message>
     <message>
+        <source>A separating layer of PTFE gives off poisonous fumes above {0}: lay baking paper between tool and film, and air the room.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>A sketch with dimensions: change a cell of the spreadsheet, and all follows</source>
         <translation>Un croquis con cotas: cambie una celda de la hoja y todo la sigue</translation>
     </message>
@@ -1525,6 +1545,10 @@
     <message>
         <source>A study of tolerances takes 1 to {0} samples, not {1}: {2} tell a lot.</source>
         <translation>Un estudio de tolerancias toma de 1 a {0} muestras, no {1}: {2} ya dicen mucho.</translation>
+    </message>
+    <message>
+        <source>A tool is that of a machine that reads G-code: give --machine gcode-grbl or another.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A volume of {0} cannot be made: give one such as 10l.</source>
@@ -1699,6 +1723,14 @@
         <translation>Ilustración</translation>
     </message>
     <message>
+        <source>As made over what was expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As made: {0}, expected: {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Assembly sheet</source>
         <translation>Hoja de montaje</translation>
     </message>
@@ -1709,6 +1741,10 @@
     <message>
         <source>At least 95 of 100 balloons bear {0} with their margin, by {1} samples and with a confidence of 95 %.</source>
         <translation>Al menos 95 de 100 globos soportan {0} con su margen, según {1} muestras y con una confianza del 95 %.</translation>
+    </message>
+    <message>
+        <source>At work the {0} is {1} above the film, and lifted {2} only: give it more depth, or a higher lift_mm.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>At worst the film lies {0} on the wrong side of the body, and a margin of {1} was asked for. Take more panels, or a larger margin.</source>
@@ -2219,6 +2255,10 @@
         <translation>Fallidos</translation>
     </message>
     <message>
+        <source>Farthest off near {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Farthest point</source>
         <translation>Punto más lejano</translation>
     </message>
@@ -2431,6 +2471,14 @@
         <translation>Frente, dorso y una banda entre ellos: cambie su ancho</translation>
     </message>
     <message>
+        <source>G-code, and no other format, has a tool: give both or none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>GRBL machine (G-code)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Gaps of up to {0} between lines were closed.</source>
         <translation>Se cerraron huecos de hasta {0} entre líneas.</translation>
     </message>
@@ -2577,6 +2625,10 @@
     <message>
         <source>Holes of the mesh that were closed: {0}.</source>
         <translation>Agujeros de la malla que se cerraron: {0}.</translation>
+    </message>
+    <message>
+        <source>Home, then set X0 Y0 at the lower left corner of the film and Z0 where the tip touches the layer over it (G92); nothing homes. Lay baking paper or PTFE between tip and film, tape the film flat.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Hours of welding, where they are known</source>
@@ -2915,6 +2967,10 @@
         <translation>Se omitieron las líneas junto a las formas que no encierran nada.</translation>
     </message>
     <message>
+        <source>LinuxCNC machine (G-code)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Live</source>
         <translation>En vivo</translation>
     </message>
@@ -2971,8 +3027,16 @@
         <translation>Reducir el globo e inflarlo de nuevo hasta que su patrón quepa en la cama. Soldadura y margen conservan su anchura; se revierte con un solo «Deshacer»</translation>
     </message>
     <message>
+        <source>Making tool paths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Marks</source>
         <translation>Marcas</translation>
+    </message>
+    <message>
+        <source>Marlin printer (G-code)</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Material</source>
@@ -3167,6 +3231,10 @@
         <translation>No se puede dibujar ninguna costura cerca de {0}.</translation>
     </message>
     <message>
+        <source>No shape in the photograph is like the one that was expected: take it straight from the front, on a plain background without anything else in it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>No shape stands out in the picture. Use stronger colours or a plainer background.</source>
         <translation>Ninguna forma destaca en la imagen. Use colores más vivos o un fondo más liso.</translation>
     </message>
@@ -3187,6 +3255,10 @@
         <translation>Aquí no funciona ningún solucionador: {0} Compílelo o instale el paquete scipy.</translation>
     </message>
     <message>
+        <source>No speed and power are known for {0}, so none are written: set them in LightBurn, or give speed_mm_s and max_power_percent in a file of your machine.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>No triangle of the mesh has an area. Save the body as a mesh of triangles.</source>
         <translation>Ningún triángulo de la malla tiene área. Guarde el cuerpo como malla de triángulos.</translation>
     </message>
@@ -3199,6 +3271,10 @@
         <translation>No, usar NumPy</translation>
     </message>
     <message>
+        <source>Nobody but you knows the {0} of your {1} for this film: give {2}, or {3} of the tool in a machine file of your own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>None</source>
         <translation>Ninguno</translation>
     </message>
@@ -3209,6 +3285,10 @@
     <message>
         <source>None of {0} balloons is within the limits; the nearest: {1}, asked for {2}.</source>
         <translation>Ninguno de {0} globos está dentro de los límites; el más cercano: {1}, se pedía {2}.</translation>
+    </message>
+    <message>
+        <source>Not all holes are seen in the photograph: those that are not count as wrong.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Not possible</source>
@@ -3357,6 +3437,10 @@
     <message>
         <source>Only a film with another stiffness across has a grain: give --young-across too.</source>
         <translation>Solo una película con otra rigidez transversal tiene fibra: indique también --young-across.</translation>
+    </message>
+    <message>
+        <source>Only balloons of two equal panels are compared with a photograph: compare the panels of others one by one with --flat.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Only grades of this film with a sealing layer weld: try scraps before you cut.</source>
@@ -3811,6 +3895,10 @@
         <translation>Poner la boca abajo</translation>
     </message>
     <message>
+        <source>Put the same moves into the document, as objects of FreeCAD's workbench Path (CAM since 1.0), which can simulate them and write them with its post processors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>RDWorks (Ruida laser)</source>
         <translation>RDWorks (láser Ruida)</translation>
     </message>
@@ -4167,8 +4255,20 @@
         <translation>Válvula de película autosellante</translation>
     </message>
     <message>
+        <source>Set X0 Y0 at the lower left corner of the film, and Z0 where the tool touches it; nothing homes. A laser wants laser mode, $32=1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set X0 Y0 at the lower left corner of the film, and Z0 where the tool touches it; nothing homes. For a swivel knife set its offset in a machine file of your own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Set the opening</source>
         <translation>Poner la abertura</translation>
+    </message>
+    <message>
+        <source>Shadows on the background were taken off.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Shape that stays flat</source>
@@ -4309,6 +4409,10 @@
     <message>
         <source>Straw neck</source>
         <translation>Cuello para pajita</translation>
+    </message>
+    <message>
+        <source>Stretch of the film: {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Strips</source>
@@ -4621,6 +4725,10 @@
     <message>
         <source>The balloon has nothing that is called '{0}': {1}.</source>
         <translation>El globo no tiene nada que se llame «{0}»: {1}.</translation>
+    </message>
+    <message>
+        <source>The balloon has parts too thin to fit the film with: use a wider shape.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The balloon is not near rest. Inflate it anew.</source>
@@ -4971,6 +5079,10 @@
         <translation>La boca da a una parte con {percent} de la película; el resto se llena por algo más estrecho que ella. Muévala a la parte mayor.</translation>
     </message>
     <message>
+        <source>The intake was left out of the comparison.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The intake would run into another part of the balloon: choose another angle or length for it.</source>
         <translation>La boca chocaría con otra parte del globo: elija otro ángulo u otra longitud.</translation>
     </message>
@@ -5037,6 +5149,10 @@
     <message>
         <source>The line at {0} misses the body.</source>
         <translation>La línea en {0} no toca el cuerpo.</translation>
+    </message>
+    <message>
+        <source>The lines make up for a kerf of {0} already: leave LightBurn's kerf offset at 0.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The lines of the drawing do not close around anything: the outline follows the lines.</source>
@@ -5231,6 +5347,14 @@
         <translation>El patrón mide {0}, la cama de {1} {2}</translation>
     </message>
     <message>
+        <source>The photograph shows the back: it was mirrored.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The photograph shows too many shapes: take one of the balloon alone, on a plain background.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The picture has a single colour. Choose one that shows a shape on a background.</source>
         <translation>La imagen tiene un solo color. Elija una que muestre una forma sobre un fondo.</translation>
     </message>
@@ -5355,6 +5479,14 @@
         <translation>Igual en todas las filas</translation>
     </message>
     <message>
+        <source>The scale '{0}' cannot be used: {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scale of {0} over {1} pixels has no length: mark two points that are far apart, and give the distance between them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The scheduler of Dask went away: start it and the study again; nothing is lost.</source>
         <translation>El planificador de Dask desapareció: inícielo de nuevo, y también el estudio; no se pierde nada.</translation>
     </message>
@@ -5411,12 +5543,24 @@
         <translation>A los ajustes les falta «{0}»: escriba {"{1}": {2}} en su archivo.</translation>
     </message>
     <message>
+        <source>The shape has the colour of a shadow: shadows on the background count as part of it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The shape in the photograph measures {0}, {1} were expected: check the scale, or whether it is the right photograph.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The shape in the picture is too frayed to trace. Use a clearer picture.</source>
         <translation>La forma de la imagen está demasiado deshilachada para calcarla. Use una imagen más clara.</translation>
     </message>
     <message>
         <source>The shape is only {0} thick near {1}, too thin for a mesh of {2}: make it thicker there, or use a mesh size of at most {3}.</source>
         <translation>La forma solo tiene {0} de grueso cerca de {1}, demasiado fina para una malla de {2}: engrósela ahí o use como mucho {3}.</translation>
+    </message>
+    <message>
+        <source>The shape touches the {0} border of the photograph: take one that shows all of it on a plain background.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The shape touches the {0} border of the picture; if it was cut off there, leave more margin.</source>
@@ -5599,6 +5743,10 @@
         <translation>El paso de la boca al globo se estrecha a {0}, y la boca mide {1}: póngala donde el globo sea más ancho; si no, el aire entra despacio.</translation>
     </message>
     <message>
+        <source>The weld draws the seam inward by {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The width and the height must be more than 0.</source>
         <translation>La anchura y la altura deben ser más de 0.</translation>
     </message>
@@ -5661,6 +5809,10 @@
     <message>
         <source>The {0} line that begins at {1} is open: programs fill, offset and cut closed lines only. Close it.</source>
         <translation>La línea {0} que empieza en {1} está abierta: los programas solo rellenan, desplazan y cortan líneas cerradas. Ciérrela.</translation>
+    </message>
+    <message>
+        <source>The {0} of a {1} must be from {2} to {3}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The {0} strays by {1} % in sample {2}, which leaves nothing of it: give a smaller spread.</source>
@@ -5919,6 +6071,10 @@
         <translation>Esta fila no está calculada: elija Calcular.</translation>
     </message>
     <message>
+        <source>This shape does not tell a stretch of the film from a weld that draws the seam inward: it is either a stretch of {0}, or a weld that draws it inward by {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>This shape stays flat: it holds {percent} of the air that a round balloon of as much film would. Fewer and wider parts make it rounder.</source>
         <translation>Esta forma queda plana: contiene {percent} del aire que tendría un globo redondo con igual película. Partes menos numerosas y más anchas la redondean.</translation>
     </message>
@@ -5953,6 +6109,14 @@
     <message>
         <source>Too many samples could not be made to say which pressure 95 of 100 balloons bear.</source>
         <translation>No se pudieron hacer demasiadas muestras para decir qué presión soportan 95 de 100 globos.</translation>
+    </message>
+    <message>
+        <source>Tool paths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool paths, no file</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Tracing paper, 92 g/m²</source>
@@ -6089,6 +6253,10 @@
     <message>
         <source>Warm air</source>
         <translation>Aire caliente</translation>
+    </message>
+    <message>
+        <source>Water column</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Weakest place</source>
@@ -6257,6 +6425,10 @@
     <message>
         <source>Will it float? {0}</source>
         <translation>¿Flotará? {0}</translation>
+    </message>
+    <message>
+        <source>With --scale {0} the size tells nothing of the film: give the photograph's scale to fit it.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>With a side band the balloon of this drawing becomes {0} to {1} thick, not {2}. Choose a thickness between, or draw its parts wider or narrower.</source>
@@ -6491,8 +6663,20 @@
         <translation>Se omitió artwork.pdf. {0}</translation>
     </message>
     <message>
+        <source>as made is larger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as made is smaller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>at most </source>
         <translation>como mucho </translation>
+    </message>
+    <message>
+        <source>at most {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>at most {} ({})</source>
@@ -6583,6 +6767,10 @@
         <translation>vacío: </translation>
     </message>
     <message>
+        <source>feed in corners</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>fetch the native solver from the network, where the workbench came without it</source>
         <translation>descargar de la red el solucionador nativo, si el banco de trabajo vino sin él</translation>
     </message>
@@ -6601,6 +6789,10 @@
     <message>
         <source>film and valve weigh {0}</source>
         <translation>película y válvula pesan {0}</translation>
+    </message>
+    <message>
+        <source>fitted to the photograph {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>fold</source>
@@ -6747,6 +6939,10 @@
         <translation>conocido solo de dos paneles iguales</translation>
     </message>
     <message>
+        <source>layer {0} of the LightBurn project has two speeds or powers: give its roles one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>laying out, {0} so far</source>
         <translation>colocando, {0} hasta ahora</translation>
     </message>
@@ -6795,6 +6991,10 @@
         <translation>se puede cortar</translation>
     </message>
     <message>
+        <source>min_power_percent of {0} is more than max_power_percent: exchange the two.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>more than</source>
         <translation>más de</translation>
     </message>
@@ -6827,6 +7027,10 @@
         <translation>no se escribe ninguna capa: nombre al menos CUT.</translation>
     </message>
     <message>
+        <source>nobody knows "{0}" of a tool: it may be one of {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>nobody knows "{0}": it may be one of {1}.</source>
         <translation>nadie conoce «{0}»: puede ser {1}.</translation>
     </message>
@@ -6837,6 +7041,10 @@
     <message>
         <source>notch</source>
         <translation>muesca</translation>
+    </message>
+    <message>
+        <source>number for full power</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>opacity</source>
@@ -6853,6 +7061,10 @@
     <message>
         <source>pass {0}: {1}</source>
         <translation>pasada {0}: {1}</translation>
+    </message>
+    <message>
+        <source>passes of {0} is {1}: give a whole number.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>place "{0}" is neither {1} nor {2}.</source>
@@ -6901,6 +7113,10 @@
     <message>
         <source>size {0}, {1}</source>
         <translation>tamaño {0}, {1}</translation>
+    </message>
+    <message>
+        <source>speed of the spindle</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>stale: </source>
@@ -6991,6 +7207,10 @@
         <translation>el nombre de capa «{0}» puede tener de 1 a 31 signos de A-Z, 0-9, _, - y $.</translation>
     </message>
     <message>
+        <source>the layer {0} lacks {1}: give speed and power together, or neither.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the name "{0}" of the stock goes into file names: take letters a to z.</source>
         <translation>el nombre «{0}» del material va en los nombres de archivo: use letras de la a a la z.</translation>
     </message>
@@ -7001,6 +7221,10 @@
     <message>
         <source>the sealing side {0} is no polymer: give one such as "PE", or "none".</source>
         <translation>la cara de sellado {0} no es un polímero: indique uno como "PE", o "none".</translation>
+    </message>
+    <message>
+        <source>the tool "{0}" is none of {1}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the weld rigidity lacks its source: write where it is from, or "assumed".</source>
@@ -7197,6 +7421,10 @@
     <message>
         <source>{0} has a point that is no number or farther away than {1}. Check its coordinates and the unit.</source>
         <translation>{0} tiene un punto que no es un número o está más lejos que {1}. Revise sus coordenadas y la unidad.</translation>
+    </message>
+    <message>
+        <source>{0} has a speed and a power, which only layers below {1} of a LightBurn project have: remove them.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} has an error: repair it.</source>
@@ -7443,6 +7671,10 @@
         <translation>{0} es {1}: indique un número de {2} a {3}.</translation>
     </message>
     <message>
+        <source>{0} is {1}: give a number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} is {1}: write true or false.</source>
         <translation>{0} es {1}: escriba true o false.</translation>
     </message>
@@ -7469,6 +7701,10 @@
     <message>
         <source>{0} mm on paper = {1} of film</source>
         <translation>{0} mm en papel = {1} de película</translation>
+    </message>
+    <message>
+        <source>{0} mm with an error of {1} mm</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} must never be cut with a laser: choose a machine with a knife.</source>
@@ -7567,6 +7803,10 @@
         <translation>Se rellenaron {0} agujeros diminutos.</translation>
     </message>
     <message>
+        <source>{0} turns a minute</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} was left out. {1}</source>
         <translation>{0} (omitido). {1}</translation>
     </message>
@@ -7581,6 +7821,10 @@
     <message>
         <source>{0} wide, {1} long</source>
         <translation>{0} de ancho, {1} de largo</translation>
+    </message>
+    <message>
+        <source>{0} with an error of {1}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} with valve {1}</source>
@@ -7605,10 +7849,6 @@
     <message>
         <source>{0}: the file is written anyway.</source>
         <translation>{0}: se escribe de todos modos.</translation>
-    </message>
-    <message>
-        <source>{0}: turn the pattern by 90 degrees there.</source>
-        <translation>{0}: gire ahí el patrón 90 grados.</translation>
     </message>
     <message>
         <source>{0}: what changes it most</source>

@@ -1095,6 +1095,10 @@
         <translation>« {0} » a ses panneaux tels qu'ils seront coupés : utilisez inflate au lieu de design.</translation>
     </message>
     <message>
+        <source>'{0}' has no closed line: give the pattern as it was cut.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>'{0}' has no panels of its own: give gores, or the width of a side band.</source>
         <translation>« {0} » n'a pas de panneaux propres : donnez des fuseaux, ou la largeur d'une bande latérale.</translation>
     </message>
@@ -1303,6 +1307,10 @@
         <translation>--oversize scale réduit le ballon jusqu'à ce qu'il tienne, --oversize write écrit le fichier quand même, --bed dit la taille du plateau.</translation>
     </message>
     <message>
+        <source>--rim is the width of the weld and of the film beside it: give 0 to 1 m.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>--target-volume and --target-lift decide the size: leave out --width and --height.</source>
         <translation>--target-volume et --target-lift décident de la taille : omettez --width et --height.</translation>
     </message>
@@ -1369,6 +1377,14 @@
     <message>
         <source>A file of this name is there already</source>
         <translation>Un fichier de ce nom existe déjà</translation>
+    </message>
+    <message>
+        <source>A fitted film is written beside the numbers of a known one: give it by --material.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A flat panel has no pressure and no rim: leave out --fit, --rim and --uncorrected.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A goal has no '{0}': it has one of {1}, and {2}, {3} and {4}.</source>
@@ -1499,6 +1515,10 @@
         <translation>Une couture près de {0} passerait deux fois au même endroit. Dessinez-la en deux parties.</translation>
     </message>
     <message>
+        <source>A separating layer of PTFE gives off poisonous fumes above {0}: lay baking paper between tool and film, and air the room.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>A sketch with dimensions: change a cell of the spreadsheet, and all follows</source>
         <translation>Une esquisse cotée : changez une cellule du tableur, et tout suit</translation>
     </message>
@@ -1525,6 +1545,10 @@
     <message>
         <source>A study of tolerances takes 1 to {0} samples, not {1}: {2} tell a lot.</source>
         <translation>Une étude de tolérances prend 1 à {0} échantillons, pas {1} : {2} en disent déjà long.</translation>
+    </message>
+    <message>
+        <source>A tool is that of a machine that reads G-code: give --machine gcode-grbl or another.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A volume of {0} cannot be made: give one such as 10l.</source>
@@ -1699,6 +1723,14 @@
         <translation>Illustration</translation>
     </message>
     <message>
+        <source>As made over what was expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As made: {0}, expected: {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Assembly sheet</source>
         <translation>Fiche de montage</translation>
     </message>
@@ -1709,6 +1741,10 @@
     <message>
         <source>At least 95 of 100 balloons bear {0} with their margin, by {1} samples and with a confidence of 95 %.</source>
         <translation>Au moins 95 ballons sur 100 supportent {0} avec leur marge, d'après {1} échantillons et avec une confiance de 95 %.</translation>
+    </message>
+    <message>
+        <source>At work the {0} is {1} above the film, and lifted {2} only: give it more depth, or a higher lift_mm.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>At worst the film lies {0} on the wrong side of the body, and a margin of {1} was asked for. Take more panels, or a larger margin.</source>
@@ -2219,6 +2255,10 @@
         <translation>Échoués</translation>
     </message>
     <message>
+        <source>Farthest off near {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Farthest point</source>
         <translation>Point le plus éloigné</translation>
     </message>
@@ -2431,6 +2471,14 @@
         <translation>Avant, arrière et une bande entre eux : changez sa largeur</translation>
     </message>
     <message>
+        <source>G-code, and no other format, has a tool: give both or none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>GRBL machine (G-code)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Gaps of up to {0} between lines were closed.</source>
         <translation>Des écarts jusqu'à {0} entre lignes ont été fermés.</translation>
     </message>
@@ -2577,6 +2625,10 @@
     <message>
         <source>Holes of the mesh that were closed: {0}.</source>
         <translation>Trous du maillage qui ont été fermés : {0}.</translation>
+    </message>
+    <message>
+        <source>Home, then set X0 Y0 at the lower left corner of the film and Z0 where the tip touches the layer over it (G92); nothing homes. Lay baking paper or PTFE between tip and film, tape the film flat.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Hours of welding, where they are known</source>
@@ -2915,6 +2967,10 @@
         <translation>Les lignes à côté des formes qui n'entourent rien ont été omises.</translation>
     </message>
     <message>
+        <source>LinuxCNC machine (G-code)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Live</source>
         <translation>Direct</translation>
     </message>
@@ -2971,8 +3027,16 @@
         <translation>Réduire le ballon et le gonfler à nouveau, jusqu'à ce que son patron tienne sur le plateau. La soudure et la marge gardent leur largeur ; une seule annulation suffit pour revenir en arrière</translation>
     </message>
     <message>
+        <source>Making tool paths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Marks</source>
         <translation>Repères</translation>
+    </message>
+    <message>
+        <source>Marlin printer (G-code)</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Material</source>
@@ -3167,6 +3231,10 @@
         <translation>Aucune couture ne peut être dessinée près de {0}.</translation>
     </message>
     <message>
+        <source>No shape in the photograph is like the one that was expected: take it straight from the front, on a plain background without anything else in it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>No shape stands out in the picture. Use stronger colours or a plainer background.</source>
         <translation>Aucune forme ne ressort de l'image. Prenez des couleurs plus vives ou un fond plus uni.</translation>
     </message>
@@ -3187,6 +3255,10 @@
         <translation>Aucun solveur ne marche ici : {0} Compilez-le ou installez le paquet scipy.</translation>
     </message>
     <message>
+        <source>No speed and power are known for {0}, so none are written: set them in LightBurn, or give speed_mm_s and max_power_percent in a file of your machine.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>No triangle of the mesh has an area. Save the body as a mesh of triangles.</source>
         <translation>Aucun triangle du maillage n'a de surface. Enregistrez le corps en maillage de triangles.</translation>
     </message>
@@ -3199,6 +3271,10 @@
         <translation>Non, prendre NumPy</translation>
     </message>
     <message>
+        <source>Nobody but you knows the {0} of your {1} for this film: give {2}, or {3} of the tool in a machine file of your own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>None</source>
         <translation>Aucune</translation>
     </message>
@@ -3209,6 +3285,10 @@
     <message>
         <source>None of {0} balloons is within the limits; the nearest: {1}, asked for {2}.</source>
         <translation>Aucun de {0} ballons n'est dans les limites ; le plus proche : {1}, demandé : {2}.</translation>
+    </message>
+    <message>
+        <source>Not all holes are seen in the photograph: those that are not count as wrong.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Not possible</source>
@@ -3357,6 +3437,10 @@
     <message>
         <source>Only a film with another stiffness across has a grain: give --young-across too.</source>
         <translation>Seul un film d'une autre raideur en travers a un sens privilégié : donnez aussi --young-across.</translation>
+    </message>
+    <message>
+        <source>Only balloons of two equal panels are compared with a photograph: compare the panels of others one by one with --flat.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Only grades of this film with a sealing layer weld: try scraps before you cut.</source>
@@ -3811,6 +3895,10 @@
         <translation>Placer l'embout en bas</translation>
     </message>
     <message>
+        <source>Put the same moves into the document, as objects of FreeCAD's workbench Path (CAM since 1.0), which can simulate them and write them with its post processors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>RDWorks (Ruida laser)</source>
         <translation>RDWorks (laser Ruida)</translation>
     </message>
@@ -4167,8 +4255,20 @@
         <translation>Valve de film autofermante</translation>
     </message>
     <message>
+        <source>Set X0 Y0 at the lower left corner of the film, and Z0 where the tool touches it; nothing homes. A laser wants laser mode, $32=1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set X0 Y0 at the lower left corner of the film, and Z0 where the tool touches it; nothing homes. For a swivel knife set its offset in a machine file of your own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Set the opening</source>
         <translation>Placer l'ouverture</translation>
+    </message>
+    <message>
+        <source>Shadows on the background were taken off.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Shape that stays flat</source>
@@ -4309,6 +4409,10 @@
     <message>
         <source>Straw neck</source>
         <translation>Col à paille</translation>
+    </message>
+    <message>
+        <source>Stretch of the film: {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Strips</source>
@@ -4621,6 +4725,10 @@
     <message>
         <source>The balloon has nothing that is called '{0}': {1}.</source>
         <translation>Le ballon n'a rien qui s'appelle « {0} » : {1}.</translation>
+    </message>
+    <message>
+        <source>The balloon has parts too thin to fit the film with: use a wider shape.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The balloon is not near rest. Inflate it anew.</source>
@@ -4971,6 +5079,10 @@
         <translation>L'embout donne dans une partie qui a {percent} du film ; le reste se remplit par un passage plus étroit que lui. Déplacez-le vers la plus grande partie.</translation>
     </message>
     <message>
+        <source>The intake was left out of the comparison.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The intake would run into another part of the balloon: choose another angle or length for it.</source>
         <translation>L'embout heurterait une autre partie du ballon : choisissez un autre angle ou une autre longueur.</translation>
     </message>
@@ -5037,6 +5149,10 @@
     <message>
         <source>The line at {0} misses the body.</source>
         <translation>La ligne en {0} manque le corps.</translation>
+    </message>
+    <message>
+        <source>The lines make up for a kerf of {0} already: leave LightBurn's kerf offset at 0.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The lines of the drawing do not close around anything: the outline follows the lines.</source>
@@ -5231,6 +5347,14 @@
         <translation>Le patron mesure {0}, le plateau de {1} {2}</translation>
     </message>
     <message>
+        <source>The photograph shows the back: it was mirrored.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The photograph shows too many shapes: take one of the balloon alone, on a plain background.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The picture has a single colour. Choose one that shows a shape on a background.</source>
         <translation>L'image n'a qu'une couleur. Choisissez-en une qui montre une forme sur un fond.</translation>
     </message>
@@ -5355,6 +5479,14 @@
         <translation>Identique dans toutes les lignes</translation>
     </message>
     <message>
+        <source>The scale '{0}' cannot be used: {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scale of {0} over {1} pixels has no length: mark two points that are far apart, and give the distance between them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The scheduler of Dask went away: start it and the study again; nothing is lost.</source>
         <translation>L'ordonnanceur de Dask a disparu : relancez-le, puis l'étude ; rien n'est perdu.</translation>
     </message>
@@ -5411,12 +5543,24 @@
         <translation>Il manque « {0} » aux réglages : écrivez {"{1}": {2}} dans leur fichier.</translation>
     </message>
     <message>
+        <source>The shape has the colour of a shadow: shadows on the background count as part of it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The shape in the photograph measures {0}, {1} were expected: check the scale, or whether it is the right photograph.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The shape in the picture is too frayed to trace. Use a clearer picture.</source>
         <translation>La forme de l'image est trop effrangée pour être suivie. Prenez une image plus nette.</translation>
     </message>
     <message>
         <source>The shape is only {0} thick near {1}, too thin for a mesh of {2}: make it thicker there, or use a mesh size of at most {3}.</source>
         <translation>La forme n'a que {0} d'épaisseur près de {1}, trop mince pour un maillage de {2} : épaississez-la là, ou prenez une taille de maille d'au plus {3}.</translation>
+    </message>
+    <message>
+        <source>The shape touches the {0} border of the photograph: take one that shows all of it on a plain background.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The shape touches the {0} border of the picture; if it was cut off there, leave more margin.</source>
@@ -5599,6 +5743,10 @@
         <translation>Le passage de l'embout dans le ballon se resserre à {0}, et l'embout a {1} de large : placez-le où le ballon est plus large, sinon l'air entre lentement.</translation>
     </message>
     <message>
+        <source>The weld draws the seam inward by {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The width and the height must be more than 0.</source>
         <translation>La largeur et la hauteur doivent être plus que 0.</translation>
     </message>
@@ -5661,6 +5809,10 @@
     <message>
         <source>The {0} line that begins at {1} is open: programs fill, offset and cut closed lines only. Close it.</source>
         <translation>La ligne {0} qui commence en {1} est ouverte : les programmes ne remplissent, décalent et coupent que des lignes fermées. Fermez-la.</translation>
+    </message>
+    <message>
+        <source>The {0} of a {1} must be from {2} to {3}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The {0} strays by {1} % in sample {2}, which leaves nothing of it: give a smaller spread.</source>
@@ -5919,6 +6071,10 @@
         <translation>Cette ligne n'est pas calculée : choisissez Calculer.</translation>
     </message>
     <message>
+        <source>This shape does not tell a stretch of the film from a weld that draws the seam inward: it is either a stretch of {0}, or a weld that draws it inward by {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>This shape stays flat: it holds {percent} of the air that a round balloon of as much film would. Fewer and wider parts make it rounder.</source>
         <translation>Cette forme reste plate : elle contient {percent} de l'air que contiendrait un ballon rond d'autant de film. Des parties moins nombreuses et plus larges l'arrondissent.</translation>
     </message>
@@ -5953,6 +6109,14 @@
     <message>
         <source>Too many samples could not be made to say which pressure 95 of 100 balloons bear.</source>
         <translation>Trop d'échantillons n'ont pas pu être faits pour dire quelle pression 95 ballons sur 100 supportent.</translation>
+    </message>
+    <message>
+        <source>Tool paths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool paths, no file</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Tracing paper, 92 g/m²</source>
@@ -6089,6 +6253,10 @@
     <message>
         <source>Warm air</source>
         <translation>Air chaud</translation>
+    </message>
+    <message>
+        <source>Water column</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Weakest place</source>
@@ -6257,6 +6425,10 @@
     <message>
         <source>Will it float? {0}</source>
         <translation>Flottera-t-il ? {0}</translation>
+    </message>
+    <message>
+        <source>With --scale {0} the size tells nothing of the film: give the photograph's scale to fit it.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>With a side band the balloon of this drawing becomes {0} to {1} thick, not {2}. Choose a thickness between, or draw its parts wider or narrower.</source>
@@ -6491,8 +6663,20 @@
         <translation>artwork.pdf a été omis. {0}</translation>
     </message>
     <message>
+        <source>as made is larger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as made is smaller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>at most </source>
         <translation>au plus </translation>
+    </message>
+    <message>
+        <source>at most {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>at most {} ({})</source>
@@ -6583,6 +6767,10 @@
         <translation>vide : </translation>
     </message>
     <message>
+        <source>feed in corners</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>fetch the native solver from the network, where the workbench came without it</source>
         <translation>télécharger le solveur natif par le réseau, là où l'atelier est arrivé sans lui</translation>
     </message>
@@ -6601,6 +6789,10 @@
     <message>
         <source>film and valve weigh {0}</source>
         <translation>film et valve pèsent {0}</translation>
+    </message>
+    <message>
+        <source>fitted to the photograph {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>fold</source>
@@ -6747,6 +6939,10 @@
         <translation>connu pour deux panneaux égaux seulement</translation>
     </message>
     <message>
+        <source>layer {0} of the LightBurn project has two speeds or powers: give its roles one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>laying out, {0} so far</source>
         <translation>disposition, {0} jusqu'ici</translation>
     </message>
@@ -6795,6 +6991,10 @@
         <translation>peut être coupé</translation>
     </message>
     <message>
+        <source>min_power_percent of {0} is more than max_power_percent: exchange the two.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>more than</source>
         <translation>plus de</translation>
     </message>
@@ -6827,6 +7027,10 @@
         <translation>aucun calque n'est écrit : nommez au moins CUT.</translation>
     </message>
     <message>
+        <source>nobody knows "{0}" of a tool: it may be one of {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>nobody knows "{0}": it may be one of {1}.</source>
         <translation>personne ne connaît « {0} » : ce peut être {1}.</translation>
     </message>
@@ -6837,6 +7041,10 @@
     <message>
         <source>notch</source>
         <translation>encoche</translation>
+    </message>
+    <message>
+        <source>number for full power</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>opacity</source>
@@ -6853,6 +7061,10 @@
     <message>
         <source>pass {0}: {1}</source>
         <translation>passe {0} : {1}</translation>
+    </message>
+    <message>
+        <source>passes of {0} is {1}: give a whole number.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>place "{0}" is neither {1} nor {2}.</source>
@@ -6901,6 +7113,10 @@
     <message>
         <source>size {0}, {1}</source>
         <translation>taille {0}, {1}</translation>
+    </message>
+    <message>
+        <source>speed of the spindle</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>stale: </source>
@@ -6991,6 +7207,10 @@
         <translation>le nom de calque « {0} » peut avoir de 1 à 31 signes parmi A-Z, 0-9, _, - et $.</translation>
     </message>
     <message>
+        <source>the layer {0} lacks {1}: give speed and power together, or neither.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the name "{0}" of the stock goes into file names: take letters a to z.</source>
         <translation>le nom « {0} » de stock entre dans des noms de fichiers : prenez des lettres de a à z.</translation>
     </message>
@@ -7001,6 +7221,10 @@
     <message>
         <source>the sealing side {0} is no polymer: give one such as "PE", or "none".</source>
         <translation>la face soudable {0} n'est pas un polymère : donnez par exemple « PE », ou « none ».</translation>
+    </message>
+    <message>
+        <source>the tool "{0}" is none of {1}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the weld rigidity lacks its source: write where it is from, or "assumed".</source>
@@ -7197,6 +7421,10 @@
     <message>
         <source>{0} has a point that is no number or farther away than {1}. Check its coordinates and the unit.</source>
         <translation>{0} a un point qui n'est pas un nombre ou qui est plus loin que {1}. Vérifiez ses coordonnées et l'unité.</translation>
+    </message>
+    <message>
+        <source>{0} has a speed and a power, which only layers below {1} of a LightBurn project have: remove them.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} has an error: repair it.</source>
@@ -7443,6 +7671,10 @@
         <translation>{0} est {1} : donnez un nombre de {2} à {3}.</translation>
     </message>
     <message>
+        <source>{0} is {1}: give a number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} is {1}: write true or false.</source>
         <translation>{0} est {1} : écrivez true ou false.</translation>
     </message>
@@ -7469,6 +7701,10 @@
     <message>
         <source>{0} mm on paper = {1} of film</source>
         <translation>{0} mm sur le papier = {1} de film</translation>
+    </message>
+    <message>
+        <source>{0} mm with an error of {1} mm</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} must never be cut with a laser: choose a machine with a knife.</source>
@@ -7567,6 +7803,10 @@
         <translation>{0} trous minuscules ont été remplis.</translation>
     </message>
     <message>
+        <source>{0} turns a minute</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} was left out. {1}</source>
         <translation>{0} a été omis. {1}</translation>
     </message>
@@ -7581,6 +7821,10 @@
     <message>
         <source>{0} wide, {1} long</source>
         <translation>{0} de large, {1} de long</translation>
+    </message>
+    <message>
+        <source>{0} with an error of {1}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} with valve {1}</source>
@@ -7605,10 +7849,6 @@
     <message>
         <source>{0}: the file is written anyway.</source>
         <translation>{0} : le fichier est écrit quand même.</translation>
-    </message>
-    <message>
-        <source>{0}: turn the pattern by 90 degrees there.</source>
-        <translation>{0} : tournez-y le patron de 90 degrés.</translation>
     </message>
     <message>
         <source>{0}: what changes it most</source>

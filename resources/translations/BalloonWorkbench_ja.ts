@@ -1095,6 +1095,10 @@
         <translation>「{0}」のパネルは切る形そのものです。design の代わりに inflate を使ってください。</translation>
     </message>
     <message>
+        <source>'{0}' has no closed line: give the pattern as it was cut.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>'{0}' has no panels of its own: give gores, or the width of a side band.</source>
         <translation>「{0}」には独自のパネルがありません。ゴアの数か側面の帯の幅を指定してください。</translation>
     </message>
@@ -1303,6 +1307,10 @@
         <translation>--oversize scale は収まるまで風船を小さくし、--oversize write はそのままファイルを書き出し、--bed は加工台の大きさを指定します。</translation>
     </message>
     <message>
+        <source>--rim is the width of the weld and of the film beside it: give 0 to 1 m.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>--target-volume and --target-lift decide the size: leave out --width and --height.</source>
         <translation>大きさは --target-volume と --target-lift で決まります。--width と --height を省いてください。</translation>
     </message>
@@ -1369,6 +1377,14 @@
     <message>
         <source>A file of this name is there already</source>
         <translation>この名前のファイルはすでにあります</translation>
+    </message>
+    <message>
+        <source>A fitted film is written beside the numbers of a known one: give it by --material.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A flat panel has no pressure and no rim: leave out --fit, --rim and --uncorrected.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A goal has no '{0}': it has one of {1}, and {2}, {3} and {4}.</source>
@@ -1499,6 +1515,10 @@
         <translation>{0} 付近の継ぎ目が同じ所を 2 回通ります。2 つに分けて描いてください。</translation>
     </message>
     <message>
+        <source>A separating layer of PTFE gives off poisonous fumes above {0}: lay baking paper between tool and film, and air the room.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>A sketch with dimensions: change a cell of the spreadsheet, and all follows</source>
         <translation>寸法付きのスケッチ：表のセルを変えると全体が追従します</translation>
     </message>
@@ -1525,6 +1545,10 @@
     <message>
         <source>A study of tolerances takes 1 to {0} samples, not {1}: {2} tell a lot.</source>
         <translation>公差のスタディのサンプルは {1} ではなく、1 から {0} までです。{2} で十分に分かります。</translation>
+    </message>
+    <message>
+        <source>A tool is that of a machine that reads G-code: give --machine gcode-grbl or another.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A volume of {0} cannot be made: give one such as 10l.</source>
@@ -1699,6 +1723,14 @@
         <translation>絵柄</translation>
     </message>
     <message>
+        <source>As made over what was expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As made: {0}, expected: {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Assembly sheet</source>
         <translation>組み立て図</translation>
     </message>
@@ -1709,6 +1741,10 @@
     <message>
         <source>At least 95 of 100 balloons bear {0} with their margin, by {1} samples and with a confidence of 95 %.</source>
         <translation>100 個の風船のうち少なくとも 95 個が、余裕を保って {0} に耐えます（サンプル {1}、信頼度 95 %）。</translation>
+    </message>
+    <message>
+        <source>At work the {0} is {1} above the film, and lifted {2} only: give it more depth, or a higher lift_mm.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>At worst the film lies {0} on the wrong side of the body, and a margin of {1} was asked for. Take more panels, or a larger margin.</source>
@@ -2219,6 +2255,10 @@
         <translation>失敗</translation>
     </message>
     <message>
+        <source>Farthest off near {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Farthest point</source>
         <translation>最も遠い所</translation>
     </message>
@@ -2431,6 +2471,14 @@
         <translation>表と裏、その間の帯：幅を変えてみてください</translation>
     </message>
     <message>
+        <source>G-code, and no other format, has a tool: give both or none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>GRBL machine (G-code)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Gaps of up to {0} between lines were closed.</source>
         <translation>線の間の {0} までのすき間を閉じました。</translation>
     </message>
@@ -2577,6 +2625,10 @@
     <message>
         <source>Holes of the mesh that were closed: {0}.</source>
         <translation>閉じたメッシュの穴：{0}。</translation>
+    </message>
+    <message>
+        <source>Home, then set X0 Y0 at the lower left corner of the film and Z0 where the tip touches the layer over it (G92); nothing homes. Lay baking paper or PTFE between tip and film, tape the film flat.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Hours of welding, where they are known</source>
@@ -2915,6 +2967,10 @@
         <translation>形のそばにある、何も囲まない線は無視しました。</translation>
     </message>
     <message>
+        <source>LinuxCNC machine (G-code)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Live</source>
         <translation>ライブ</translation>
     </message>
@@ -2971,8 +3027,16 @@
         <translation>型紙が加工台に収まるまで、風船を小さくしてふくらませ直します。溶着と余白の幅は変わりません。「元に戻す」1 回で戻ります</translation>
     </message>
     <message>
+        <source>Making tool paths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Marks</source>
         <translation>印</translation>
+    </message>
+    <message>
+        <source>Marlin printer (G-code)</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Material</source>
@@ -3167,6 +3231,10 @@
         <translation>{0} 付近には継ぎ目を描けません。</translation>
     </message>
     <message>
+        <source>No shape in the photograph is like the one that was expected: take it straight from the front, on a plain background without anything else in it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>No shape stands out in the picture. Use stronger colours or a plainer background.</source>
         <translation>画像の中に形が見つかりません。はっきりした色か、無地に近い背景にしてください。</translation>
     </message>
@@ -3187,6 +3255,10 @@
         <translation>使えるソルバーがありません：{0} ソルバーをビルドするか、パッケージ scipy を入れてください。</translation>
     </message>
     <message>
+        <source>No speed and power are known for {0}, so none are written: set them in LightBurn, or give speed_mm_s and max_power_percent in a file of your machine.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>No triangle of the mesh has an area. Save the body as a mesh of triangles.</source>
         <translation>メッシュのどの三角形にも面積がありません。立体を三角形のメッシュとして保存してください。</translation>
     </message>
@@ -3199,6 +3271,10 @@
         <translation>いいえ、NumPy を使う</translation>
     </message>
     <message>
+        <source>Nobody but you knows the {0} of your {1} for this film: give {2}, or {3} of the tool in a machine file of your own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>None</source>
         <translation>なし</translation>
     </message>
@@ -3209,6 +3285,10 @@
     <message>
         <source>None of {0} balloons is within the limits; the nearest: {1}, asked for {2}.</source>
         <translation>{0} 個の風船はどれも制限の内にありません。最も近いもの：{1}、要求：{2}。</translation>
+    </message>
+    <message>
+        <source>Not all holes are seen in the photograph: those that are not count as wrong.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Not possible</source>
@@ -3357,6 +3437,10 @@
     <message>
         <source>Only a film with another stiffness across has a grain: give --young-across too.</source>
         <translation>流れ方向があるのは、直角方向の硬さが違うフィルムだけです。--young-across も指定してください。</translation>
+    </message>
+    <message>
+        <source>Only balloons of two equal panels are compared with a photograph: compare the panels of others one by one with --flat.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Only grades of this film with a sealing layer weld: try scraps before you cut.</source>
@@ -3811,6 +3895,10 @@
         <translation>注入口を低い所に付ける</translation>
     </message>
     <message>
+        <source>Put the same moves into the document, as objects of FreeCAD's workbench Path (CAM since 1.0), which can simulate them and write them with its post processors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>RDWorks (Ruida laser)</source>
         <translation>RDWorks（Ruida レーザー）</translation>
     </message>
@@ -4167,8 +4255,20 @@
         <translation>自動で閉じるフィルム弁</translation>
     </message>
     <message>
+        <source>Set X0 Y0 at the lower left corner of the film, and Z0 where the tool touches it; nothing homes. A laser wants laser mode, $32=1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set X0 Y0 at the lower left corner of the film, and Z0 where the tool touches it; nothing homes. For a swivel knife set its offset in a machine file of your own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Set the opening</source>
         <translation>開口を決める</translation>
+    </message>
+    <message>
+        <source>Shadows on the background were taken off.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Shape that stays flat</source>
@@ -4309,6 +4409,10 @@
     <message>
         <source>Straw neck</source>
         <translation>ストロー用の首</translation>
+    </message>
+    <message>
+        <source>Stretch of the film: {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Strips</source>
@@ -4621,6 +4725,10 @@
     <message>
         <source>The balloon has nothing that is called '{0}': {1}.</source>
         <translation>風船に「{0}」という名前のものはありません。{1}。</translation>
+    </message>
+    <message>
+        <source>The balloon has parts too thin to fit the film with: use a wider shape.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The balloon is not near rest. Inflate it anew.</source>
@@ -4971,6 +5079,10 @@
         <translation>注入口が開く部分はフィルムの {percent} しかなく、残りは注入口より狭い所を通ってふくらみます。最も大きな部分へ移してください。</translation>
     </message>
     <message>
+        <source>The intake was left out of the comparison.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The intake would run into another part of the balloon: choose another angle or length for it.</source>
         <translation>注入口が風船の別の部分にぶつかります。角度か長さを変えてください。</translation>
     </message>
@@ -5037,6 +5149,10 @@
     <message>
         <source>The line at {0} misses the body.</source>
         <translation>{0} の線が立体に当たりません。</translation>
+    </message>
+    <message>
+        <source>The lines make up for a kerf of {0} already: leave LightBurn's kerf offset at 0.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The lines of the drawing do not close around anything: the outline follows the lines.</source>
@@ -5231,6 +5347,14 @@
         <translation>型紙は {0}、{1} の加工台は {2} です</translation>
     </message>
     <message>
+        <source>The photograph shows the back: it was mirrored.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The photograph shows too many shapes: take one of the balloon alone, on a plain background.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The picture has a single colour. Choose one that shows a shape on a background.</source>
         <translation>画像が一色だけです。背景の上に形が見えるものを選んでください。</translation>
     </message>
@@ -5355,6 +5479,14 @@
         <translation>すべての行に共通</translation>
     </message>
     <message>
+        <source>The scale '{0}' cannot be used: {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scale of {0} over {1} pixels has no length: mark two points that are far apart, and give the distance between them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The scheduler of Dask went away: start it and the study again; nothing is lost.</source>
         <translation>Dask のスケジューラーがなくなりました。スケジューラーとスタディをもう一度始めてください。何も失われません。</translation>
     </message>
@@ -5411,12 +5543,24 @@
         <translation>設定に「{0}」がありません。設定ファイルに {"{1}": {2}} と書いてください。</translation>
     </message>
     <message>
+        <source>The shape has the colour of a shadow: shadows on the background count as part of it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The shape in the photograph measures {0}, {1} were expected: check the scale, or whether it is the right photograph.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The shape in the picture is too frayed to trace. Use a clearer picture.</source>
         <translation>画像の形の縁が荒れすぎてなぞれません。もっとはっきりした画像を使ってください。</translation>
     </message>
     <message>
         <source>The shape is only {0} thick near {1}, too thin for a mesh of {2}: make it thicker there, or use a mesh size of at most {3}.</source>
         <translation>{1} 付近の太さは {0} しかなく、{2} のメッシュには細すぎます。太くするか、メッシュを {3} 以下にしてください。</translation>
+    </message>
+    <message>
+        <source>The shape touches the {0} border of the photograph: take one that shows all of it on a plain background.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The shape touches the {0} border of the picture; if it was cut off there, leave more margin.</source>
@@ -5599,6 +5743,10 @@
         <translation>注入口から風船への通路が {0} に狭まります（注入口の幅は {1}）。もっと広い所に付けないと、空気がゆっくりしか入りません。</translation>
     </message>
     <message>
+        <source>The weld draws the seam inward by {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The width and the height must be more than 0.</source>
         <translation>幅と高さは 0 より大きくなければなりません。</translation>
     </message>
@@ -5661,6 +5809,10 @@
     <message>
         <source>The {0} line that begins at {1} is open: programs fill, offset and cut closed lines only. Close it.</source>
         <translation>{1} で始まる {0} の線が閉じていません。塗り、オフセット、切断には閉じた線が必要です。閉じてください。</translation>
+    </message>
+    <message>
+        <source>The {0} of a {1} must be from {2} to {3}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The {0} strays by {1} % in sample {2}, which leaves nothing of it: give a smaller spread.</source>
@@ -5919,6 +6071,10 @@
         <translation>この行は計算されていません。「計算する」を選んでください。</translation>
     </message>
     <message>
+        <source>This shape does not tell a stretch of the film from a weld that draws the seam inward: it is either a stretch of {0}, or a weld that draws it inward by {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>This shape stays flat: it holds {percent} of the air that a round balloon of as much film would. Fewer and wider parts make it rounder.</source>
         <translation>この形は平らなままです。同じ量のフィルムで作る丸い風船に比べ、空気は {percent} しか入りません。部分を減らし、広くすると丸くなります。</translation>
     </message>
@@ -5953,6 +6109,14 @@
     <message>
         <source>Too many samples could not be made to say which pressure 95 of 100 balloons bear.</source>
         <translation>作れなかったサンプルが多すぎて、100 個中 95 個の風船が耐える圧力を言えません。</translation>
+    </message>
+    <message>
+        <source>Tool paths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool paths, no file</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Tracing paper, 92 g/m²</source>
@@ -6089,6 +6253,10 @@
     <message>
         <source>Warm air</source>
         <translation>熱気</translation>
+    </message>
+    <message>
+        <source>Water column</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Weakest place</source>
@@ -6257,6 +6425,10 @@
     <message>
         <source>Will it float? {0}</source>
         <translation>浮く？{0}</translation>
+    </message>
+    <message>
+        <source>With --scale {0} the size tells nothing of the film: give the photograph's scale to fit it.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>With a side band the balloon of this drawing becomes {0} to {1} thick, not {2}. Choose a thickness between, or draw its parts wider or narrower.</source>
@@ -6491,8 +6663,20 @@
         <translation>artwork.pdf を省きました。{0}</translation>
     </message>
     <message>
+        <source>as made is larger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as made is smaller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>at most </source>
         <translation>最大 </translation>
+    </message>
+    <message>
+        <source>at most {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>at most {} ({})</source>
@@ -6583,6 +6767,10 @@
         <translation>空：</translation>
     </message>
     <message>
+        <source>feed in corners</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>fetch the native solver from the network, where the workbench came without it</source>
         <translation>ワークベンチにネイティブソルバーが付いていない場合に、ネットワークから取得する</translation>
     </message>
@@ -6601,6 +6789,10 @@
     <message>
         <source>film and valve weigh {0}</source>
         <translation>フィルムと弁の重さは {0}</translation>
+    </message>
+    <message>
+        <source>fitted to the photograph {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>fold</source>
@@ -6747,6 +6939,10 @@
         <translation>同じ 2 枚のパネルでだけわかります</translation>
     </message>
     <message>
+        <source>layer {0} of the LightBurn project has two speeds or powers: give its roles one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>laying out, {0} so far</source>
         <translation>配置中、これまで {0}</translation>
     </message>
@@ -6795,6 +6991,10 @@
         <translation>切ってよい</translation>
     </message>
     <message>
+        <source>min_power_percent of {0} is more than max_power_percent: exchange the two.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>more than</source>
         <translation>次の値より多く</translation>
     </message>
@@ -6827,6 +7027,10 @@
         <translation>書き出すレイヤーがありません。少なくとも CUT を入れてください。</translation>
     </message>
     <message>
+        <source>nobody knows "{0}" of a tool: it may be one of {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>nobody knows "{0}": it may be one of {1}.</source>
         <translation>「{0}」は使えません。使えるもの：{1}。</translation>
     </message>
@@ -6837,6 +7041,10 @@
     <message>
         <source>notch</source>
         <translation>合印</translation>
+    </message>
+    <message>
+        <source>number for full power</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>opacity</source>
@@ -6853,6 +7061,10 @@
     <message>
         <source>pass {0}: {1}</source>
         <translation>{0} 回目：{1}</translation>
+    </message>
+    <message>
+        <source>passes of {0} is {1}: give a whole number.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>place "{0}" is neither {1} nor {2}.</source>
@@ -6901,6 +7113,10 @@
     <message>
         <source>size {0}, {1}</source>
         <translation>大きさ {0}、{1}</translation>
+    </message>
+    <message>
+        <source>speed of the spindle</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>stale: </source>
@@ -6991,6 +7207,10 @@
         <translation>レイヤー名「{0}」は A-Z、0-9、_、-、$ の 1～31 字にしてください。</translation>
     </message>
     <message>
+        <source>the layer {0} lacks {1}: give speed and power together, or neither.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the name "{0}" of the stock goes into file names: take letters a to z.</source>
         <translation>材料の名前「{0}」はファイル名に使われます。a から z の文字にしてください。</translation>
     </message>
@@ -7001,6 +7221,10 @@
     <message>
         <source>the sealing side {0} is no polymer: give one such as "PE", or "none".</source>
         <translation>シール面 {0} はポリマーではありません。"PE" のように指定するか、"none" にしてください。</translation>
+    </message>
+    <message>
+        <source>the tool "{0}" is none of {1}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the weld rigidity lacks its source: write where it is from, or "assumed".</source>
@@ -7197,6 +7421,10 @@
     <message>
         <source>{0} has a point that is no number or farther away than {1}. Check its coordinates and the unit.</source>
         <translation>{0} に数でない点か、{1} より遠い点があります。座標と単位を確かめてください。</translation>
+    </message>
+    <message>
+        <source>{0} has a speed and a power, which only layers below {1} of a LightBurn project have: remove them.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} has an error: repair it.</source>
@@ -7443,6 +7671,10 @@
         <translation>{0} が {1} です。{2}～{3} の数にしてください。</translation>
     </message>
     <message>
+        <source>{0} is {1}: give a number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} is {1}: write true or false.</source>
         <translation>{0} が {1} です。true か false にしてください。</translation>
     </message>
@@ -7469,6 +7701,10 @@
     <message>
         <source>{0} mm on paper = {1} of film</source>
         <translation>紙の上の {0} mm = フィルムの {1}</translation>
+    </message>
+    <message>
+        <source>{0} mm with an error of {1} mm</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} must never be cut with a laser: choose a machine with a knife.</source>
@@ -7567,6 +7803,10 @@
         <translation>ごく小さな穴を {0} 個ふさぎました。</translation>
     </message>
     <message>
+        <source>{0} turns a minute</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} was left out. {1}</source>
         <translation>{0} を省きました。{1}</translation>
     </message>
@@ -7581,6 +7821,10 @@
     <message>
         <source>{0} wide, {1} long</source>
         <translation>幅 {0}、長さ {1}</translation>
+    </message>
+    <message>
+        <source>{0} with an error of {1}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} with valve {1}</source>
@@ -7605,10 +7849,6 @@
     <message>
         <source>{0}: the file is written anyway.</source>
         <translation>{0}。そのまま書き出します。</translation>
-    </message>
-    <message>
-        <source>{0}: turn the pattern by 90 degrees there.</source>
-        <translation>{0}。そこで型紙を 90 度回してください。</translation>
     </message>
     <message>
         <source>{0}: what changes it most</source>
