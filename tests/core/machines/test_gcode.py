@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import re
 from dataclasses import replace
 from functools import cache
 from itertools import pairwise
@@ -207,6 +208,14 @@ def test_same_pattern_same_bytes_and_what_must_be_known_is_in_the_header() -> No
     head = content.decode("ascii").split("\nG21")[0]
     for word in ("millimetres (G21)", "absolute (G90)", "$32=1", "$30=1000", "Feed 600", "Power 40 %"):
         assert word in head
+    lines = [stroke.line for stroke in run(ring(), held("grbl", LASER)).strokes]
+    along = sum(np.linalg.norm(np.diff(line, axis=0), axis=1).sum() for line in lines)
+    between = sum(np.linalg.norm(after[0] - before[-1]) for before, after in pairwise(lines))
+    told = re.search(r"([\d.]+) m along lines, ([\d.]+) m between them", head)
+    assert told is not None
+    assert [float(length) for length in told.groups()] == pytest.approx(
+        [0.001 * along, 0.001 * between], rel=0.01
+    )
 
 
 def test_what_fits_only_turned_is_turned_and_what_does_not_fit_is_refused() -> None:

@@ -10,7 +10,7 @@ from BalloonWorkbench.core.machines.tool import GRBL, MachineTool
 from BalloonWorkbench.core.machines.toolpaths import Toolpaths
 from BalloonWorkbench.core.machines.writers.moves import DIGITS, Instruction, laid, moves
 from BalloonWorkbench.core.options.making import LASER
-from BalloonWorkbench.core.units import number_text, to_mm, to_mm_per_minute
+from BalloonWorkbench.core.units import from_mm, number_text, to_mm, to_mm_per_minute
 
 _CONTROLLERS = {"grbl": "GRBL", "marlin": "Marlin", "linuxcnc": "LinuxCNC"}
 
@@ -33,6 +33,9 @@ def _header(drawing: Toolpaths, machine: Machine, tool: MachineTool) -> Iterator
     yield "X0 Y0: lower left corner of the film, with room for the tool; Z0: the tool touches the film."
     width, height = (number_text(size, 6) for size in (drawing.width, drawing.height))
     yield f"It moves within X0 to X{width} and Y0 to Y{height}."
+    along = sum(path.curve.length for path in drawing.paths)
+    metres, between = (number_text(from_mm(length)) for length in (along, drawing.travel))
+    yield f"{metres} m along lines, {between} m between them"
     yield f"Feed {number_text(to_mm_per_minute(tool.feed or 0.0), 6)} mm/min"
     if tool.depth is not None:
         depth, lifted = (number_text(to_mm(length), 4) for length in (tool.depth, tool.lift))
