@@ -31,7 +31,7 @@ _SILENT = ("pictures/preview.py", "results/vtu.py", "machines/writers/svg.py", "
 _SILENT += ("machines/writers/hpgl.py", "core/reports/report.py", "core/reports/bag_report.py", "app/host.py")
 _SILENT += ("core/pages/fonts.py", "core/memoize.py", "pictures/cards.py", "pictures/bag_preview.py")
 _SILENT += ("core/web_pages/page.py",)  # a policy for browsers
-_SILENT += ("machines/writers/gcode.py", "machines/writers/moves.py")
+_SILENT += ("machines/writers/gcode.py", "machines/writers/moves.py", "test_cards/files.py")
 #: Layers that say plain sentences, and a file of the window that does as they do.
 _SPOKEN, _SPOKEN_FILE = ("core", "app", "cli"), "/equipment.py"
 #: Keys of the data files that people read, by folder or file.

@@ -22,6 +22,7 @@ from BalloonWorkbench.cli.options import FETCH, language_of, parser
 from BalloonWorkbench.cli.settings import balloon_of, picture_reader, settings_of
 from BalloonWorkbench.cli.studies.arguments import STUDY
 from BalloonWorkbench.cli.summary import bag_summary, summary
+from BalloonWorkbench.cli.test_cards.arguments import TEST_CARD
 from BalloonWorkbench.core.errors import (
     BalloonError,
     ExportError,
@@ -70,6 +71,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
                     return run.study(options)
                 if options.command == COMPARE:
                     return run.compare(options)
+                if options.command == TEST_CARD:
+                    return run.test_card(options)
                 if options.command != FETCH:
                     return run.command(options)
             return run.fetch_solver()  # into the user's own home, if anywhere there
@@ -144,6 +147,12 @@ class _Run:
 
         for name in (options.photo, options.input):
             _refuse_streams(name)
+        return command.run(options, self.say)
+
+    def test_card(self, options: argparse.Namespace) -> int:
+        """Make a test card, or keep what came out."""
+        from BalloonWorkbench.cli.test_cards import command  # only here: no other command needs it
+
         return command.run(options, self.say)
 
     def command(self, options: argparse.Namespace) -> int:

@@ -13,6 +13,7 @@ from BalloonWorkbench import __version__
 from BalloonWorkbench.cli.compare.arguments import COMPARE, WITHOUT, add_compare
 from BalloonWorkbench.cli.console import UNSHOWN, complain, show
 from BalloonWorkbench.cli.studies.arguments import STUDY, add_study
+from BalloonWorkbench.cli.test_cards.arguments import TEST_CARD, add_test_card
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.language.speech import chosen_language, short_names
 from BalloonWorkbench.core.machines.machine import machines
@@ -85,6 +86,9 @@ def parser() -> argparse.ArgumentParser:
     study = _add_parser(commands, STUDY, "make many balloons, from a table of options or a grid")
     add_study(study)
     _add_language(study)
+    card = _add_parser(commands, TEST_CARD, "try settings of a tool on a card, and keep the best")
+    add_test_card(card)
+    _add_language(card)
     commands.add_parser(
         FETCH,
         help="fetch the native solver from the network, where the workbench came without it",

@@ -141,3 +141,40 @@ def test_senseless_patterns_are_told(
     assert run(square, *options) == 2
     assert text in capsys.readouterr().err
     assert not (square.parent / "out").exists()
+
+
+def test_a_card_is_made_and_its_best_field_is_a_machine(
+    square: Path, capfd: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("BALLOON_MACHINES", str(square.parent / "machines"))
+    card = square.parent / "card"
+    made = [
+        "--machine",
+        "gcode-marlin",
+        "--feed",
+        "200, 300",
+        "--tip-temperature",
+        "140C,160C",
+        "--depth",
+        "0.2mm",
+    ]
+    assert command_line.main(["test-card", *made, "--out", str(card)]) == 0
+    assert {path.name for path in card.iterdir()} == {"test-card.gcode", "test-card.svg", "test-card.json"}
+    keep = ["test-card", str(card / "test-card.json"), "--keep", "B2", "--name", "tip-pe"]
+    assert command_line.main(keep) == 0
+    assert run(square, "--only", "report", "--machine", "tip-pe", "--bed", "300mmx300mm") == 0
+    written = (square.parent / "out" / "pattern-tip-pe.gcode").read_text()
+    assert "Feed 300 mm/min" in written
+    assert "M109 S160" in written
+    capfd.readouterr()
+    for senseless, sentence in (
+        (keep, "There is a machine tip-pe"),
+        (["test-card", str(card / "test-card.json")], "--keep"),
+        (["test-card", "--feed", "1,2"], "--machine"),
+        (["test-card", *made[:2], "--feed", "a,b", "--out", str(card)], "--feed"),
+        (["test-card", "--machine", "nothing", "--feed", "1,2", "--out", str(card)], "no machine"),
+    ):
+        assert command_line.main(senseless) == 2
+        told = capfd.readouterr().err
+        assert sentence in told
+        assert told.count("\n") == 1

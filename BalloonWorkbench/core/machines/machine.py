@@ -166,6 +166,14 @@ def machine(name: str, bed: str | None = None) -> Machine:
     return chosen if bed is None else replace(chosen, bed=parse_bed(bed))
 
 
+def machine_data(name: str) -> dict[str, Any]:
+    """What the file of a machine has that `machine` finds by this name."""
+    plain = f"{'-'.join(name.lower().split())}.json"
+    own = own_folder() / plain
+    path = Path(name) if name.lower().endswith(".json") else own if own.is_file() else FOLDER / plain
+    return dict(read_data(path))
+
+
 def holding(machine: Machine, wishes: ToolOptions) -> Machine:
     """The machine with the tool that the user wishes; those that read no G-code hold what they hold.
 

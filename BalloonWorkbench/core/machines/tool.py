@@ -29,6 +29,7 @@ from BalloonWorkbench.core.units import (
     number_text,
     parse_temperature,
     temperature_text,
+    to_mm,
     to_mm_per_minute,
 )
 
@@ -86,13 +87,14 @@ class MachineTool:
 
 
 class _Value(NamedTuple):
-    """A value of a tool: its key in a machine's file, its range, how numbers of that file are read and shown,
-    what it is called, and how it is typed on the command line where it can be."""
+    """A value of a tool: its key in a machine's file, its range, how numbers of that file are read, written
+    and shown, what it is called, and how it is typed on the command line where it can be."""
 
     key: str
     least: float
     most: float
     read: Callable[[float], float]
+    write: Callable[[float], float]
     show: Callable[[float], str]
     what: str
     flag: str = ""
@@ -108,24 +110,32 @@ def _percent_text(share: float) -> str:
 
 _VALUES = {
     "feed": _Value("feed_mm_min", from_mm_per_minute(1.0), from_mm_per_minute(1e5), from_mm_per_minute,
+        to_mm_per_minute,
         _feed_text, "feed", "--feed 600 for 600 mm/min"),
-    "power": _Value("power_percent", 0.001, 1.0, lambda percent: 0.01 * percent, _percent_text, "power",
+    "power": _Value("power_percent", 0.001, 1.0, lambda percent: 0.01 * percent,
+        lambda share: 100.0 * share, _percent_text, "power",
         "--power 40 for 40 %"),
     "spindle_speed": _Value("spindle_rpm", 0.1, 2000.0, lambda turns: turns / 60.0,
+        lambda turns: 60.0 * turns,
         lambda turns: f"{number_text(60.0 * turns)} turns a minute", "speed of the spindle",
         "--spindle-speed 12000"),
     "temperature": _Value("temperature_C", parse_temperature("40C"), parse_temperature("400C"),
-        lambda celsius: parse_temperature(f"{celsius}C"), temperature_text, "temperature",
+        lambda celsius: parse_temperature(f"{celsius}C"), lambda kelvin: kelvin - 273.15,
+        temperature_text, "temperature",
         "--tip-temperature 180C"),
-    "depth": _Value("depth_mm", from_mm(-50.0), from_mm(50.0), from_mm, length_text,
+    "depth": _Value("depth_mm", from_mm(-50.0), from_mm(50.0), from_mm, to_mm, length_text,
         "depth", "--depth 0.2mm"),
-    "lift": _Value("lift_mm", from_mm(0.5), from_mm(100.0), from_mm, length_text, "lift"),
-    "dwell": _Value("dwell_s", 0.0, 10.0, float, lambda seconds: f"{number_text(seconds)} s", "dwell"),
-    "corner_feed": _Value("corner_feed_percent", 0.1, 1.0, lambda percent: 0.01 * percent, _percent_text,
-        "feed in corners"),
-    "lead_in": _Value("lead_in_mm", 0.0, from_mm(200.0), from_mm, length_text, "lead-in"),
-    "full_power": _Value("full_power", 1.0, 1e5, float, number_text, "number for full power"),
+    "lift": _Value("lift_mm", from_mm(0.5), from_mm(100.0), from_mm, to_mm, length_text, "lift of the tool"),
+    "dwell": _Value("dwell_s", 0.0, 10.0, float, float, lambda seconds: f"{number_text(seconds)} s", "dwell"),
+    "corner_feed": _Value("corner_feed_percent", 0.1, 1.0, lambda percent: 0.01 * percent,
+        lambda share: 100.0 * share, _percent_text, "feed in corners"),
+    "lead_in": _Value("lead_in_mm", 0.0, from_mm(200.0), from_mm, to_mm, length_text, "lead-in"),
+    "full_power": _Value("full_power", 1.0, 1e5, float, float, number_text, "number for full power"),
 }  # fmt: skip
+
+#: What fields of ToolOptions are called here, where that differs.
+_OF_OPTIONS = {"tip_temperature": "temperature"}
+_DIGITS = 6
 
 _NEEDS = {
     LASER: ("feed", "power"),
@@ -157,6 +167,21 @@ def read_tool(data: Mapping[str, Any]) -> MachineTool:
             raise InputError(f"{key} is {number!r}: give a number.")
         values[known[key]] = _VALUES[known[key]].read(number)
     return _checked(MachineTool(str(data["kind"]), **values))
+
+
+def tool_data(tool: MachineTool) -> dict[str, Any]:
+    """What a machine's file has of a tool; `read_tool` gives the same tool again."""
+    values = {name: getattr(tool, name) for name in _VALUES}
+    known = {name: value for name, value in values.items() if value is not None}
+    return {"kind": tool.kind} | {
+        _VALUES[name].key: round(_VALUES[name].write(value), _DIGITS) for name, value in known.items()
+    }
+
+
+def value_text(tool: MachineTool, option: str) -> str:
+    """The value of a tool that a field of ToolOptions sets, for people."""
+    name = _OF_OPTIONS.get(option, option)
+    return _VALUES[name].show(getattr(tool, name))
 
 
 def changed(tool: MachineTool, wishes: ToolOptions) -> MachineTool:

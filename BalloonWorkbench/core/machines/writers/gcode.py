@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from BalloonWorkbench.core.machines.machine import Machine
 from BalloonWorkbench.core.machines.tool import GRBL, MachineTool
@@ -22,8 +22,13 @@ def drawing_gcode(drawing: Toolpaths, machine: Machine) -> bytes:
     """
     steps = moves(drawing, machine)
     assert machine.tool is not None  # moves has seen it
-    head = [f"; {line}" for line in _header(laid(drawing, machine), machine, machine.tool)]
-    return ("\n".join([*head, *map(_line, steps)]) + "\n").encode("ascii")
+    return gcode(_header(laid(drawing, machine), machine, machine.tool), steps)
+
+
+def gcode(header: Iterable[str], steps: Iterable[Instruction]) -> bytes:
+    """The content of a file: what has to be known before it is run, and what a controller is told."""
+    lines = [*(f"; {line}" for line in header), *map(_line, steps)]
+    return ("\n".join(lines) + "\n").encode("ascii", "replace")
 
 
 def _header(drawing: Toolpaths, machine: Machine, tool: MachineTool) -> Iterator[str]:
@@ -41,12 +46,20 @@ def _header(drawing: Toolpaths, machine: Machine, tool: MachineTool) -> Iterator
         depth, lifted = (number_text(to_mm(length), 4) for length in (tool.depth, tool.lift))
         yield f"Depth {depth} mm, lifted {lifted} mm"
     if tool.kind == LASER:
-        full = number_text(tool.full_power, 6)
-        yield f"Power {number_text(100.0 * (tool.power or 0.0))} %; S{full} is full power"
-        if machine.version == GRBL:
-            yield f"Laser mode must be on ($32=1), and $30={full}."
+        yield f"Power {number_text(100.0 * (tool.power or 0.0))} %"
+    yield from laser_settings(machine)
     if tool.temperature is not None:
         yield f"Temperature {number_text(tool.temperature - 273.15, 4)} C"
+
+
+def laser_settings(machine: Machine) -> Iterator[str]:
+    """What a controller must be set to where it has a laser."""
+    if machine.tool is None or machine.tool.kind != LASER:
+        return
+    full = number_text(machine.tool.full_power, 6)
+    yield f"S{full} is full power"
+    if machine.version == GRBL:
+        yield f"Laser mode must be on ($32=1), and $30={full}."
 
 
 def _line(step: Instruction) -> str:

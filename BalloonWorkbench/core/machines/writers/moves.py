@@ -7,7 +7,7 @@ way to the next line, and at the end it is made safe.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -50,15 +50,18 @@ def moves(drawing: Toolpaths, machine: Machine) -> list[Instruction]:
 
     Raises ExportError for what nobody but the user knows and has not told.
     """
-    tool = machine.tool
-    if tool is None:
-        raise ExportError(f"{machine.title} reads no G-code: choose a machine that does.")
-    missing = lacking(tool, machine.version)
-    if missing:
-        raise ExportError(missing)
-    writer = _Writer(machine, tool)
-    lines = (step for path in laid(drawing, machine).paths for step in writer.line(path))
-    return [*writer.beginning(), *lines, *writer.end()]
+    return moves_of([(laid(drawing, machine), machine)])
+
+
+def moves_of(parts: Sequence[tuple[Toolpaths, Machine]]) -> list[Instruction]:
+    """The same of several drawings, one after the other, each as it lies with settings of its own."""
+    writers = [_writer(machine) for _, machine in parts]
+    steps = [*writers[0].beginning(), *writers[0].ready()]
+    for number, ((drawing, _), writer) in enumerate(zip(parts, writers, strict=True)):
+        if number and list(writer.ready()) != list(writers[number - 1].ready()):
+            steps += writer.ready()
+        steps += [step for path in drawing.paths for step in writer.line(path)]
+    return [*steps, *writers[-1].end()]
 
 
 def laid(drawing: Toolpaths, machine: Machine) -> Toolpaths:
@@ -77,6 +80,16 @@ def _turned(curve: Curve, shift: Floats) -> Curve:
     return Curve(perpendicular(curve.joints) + shift, curve.bulges, curve.closed)
 
 
+def _writer(machine: Machine) -> _Writer:
+    tool = machine.tool
+    if tool is None:
+        raise ExportError(f"{machine.title} reads no G-code: choose a machine that does.")
+    missing = lacking(tool, machine.version)
+    if missing:
+        raise ExportError(missing)
+    return _Writer(machine, tool)
+
+
 class _Writer:
     """Says what a tool does, in the words of its controller."""
 
@@ -90,7 +103,7 @@ class _Writer:
         self._up = round(to_mm(tool.lift), DIGITS)
 
     def beginning(self) -> Iterator[Instruction]:
-        """Units and modes, the tool up, and warm or turning."""
+        """Units and modes, the tool off and up."""
         yield Instruction("G21", note="millimetres")
         yield Instruction("G90", note="absolute coordinates")
         if self._controller != MARLIN:
@@ -98,13 +111,16 @@ class _Writer:
                 yield Instruction(name)
         if self._controller == LINUXCNC:
             yield Instruction("G64", {"P": 0.005}, "how far corners are rounded")
-        tool = self._tool
         if self._turns:
             yield Instruction("M5", note="off")
         if not self._laser:
             yield Instruction("G0", {"Z": self._up}, "tool up")
         elif self._down is not None:
             yield Instruction("G0", {"Z": self._down}, "focus")
+
+    def ready(self) -> Iterator[Instruction]:
+        """The tool turning or hot, before it goes down."""
+        tool = self._tool
         if tool.kind == SPINDLE and tool.spindle_speed is not None:
             yield Instruction("M3", {"S": round(60.0 * tool.spindle_speed, 3)})
             yield from self._dwell()

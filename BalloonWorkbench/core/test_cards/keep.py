@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What came out of a test card: a machine file of the user's own with the settings of the best field."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.files.data_file import UNUSABLE, read_data
+
+_NAME = re.compile(r"[a-z0-9][a-z0-9-]{0,39}")
+
+
+def kept_machine(card: Path, field: str, name: str) -> bytes:
+    """The content of a machine file of that name, with what a field of a card tried; see `files.card_files`.
+
+    Raises InputError for a file that is no card, a field that it has not, and a name that is none.
+    """
+    if not _NAME.fullmatch(name):
+        raise InputError(f"'{name}' cannot be the name of a machine: take small letters, digits and -.")
+    content = _read(card)
+    fields = content["fields"]
+    tool = fields.get(field.strip().upper())
+    if not isinstance(tool, dict):
+        raise InputError(f"The card has no field {field}: choose one of {', '.join(fields)}.")
+    made = dict(content["machine"])
+    title = f"{made.get('title', name)}, {name}"
+    layers = made.get("layers", {})
+    roles = {role: layers.get(role, {}) for role in content["layers"]}
+    made |= {"name": name, "title": title, "tool": tool, "layers": roles}
+    return (json.dumps(made, indent=2, ensure_ascii=False) + "\n").encode()
+
+
+def _read(path: Path) -> dict[str, Any]:
+    try:
+        content = read_data(path)
+    except OSError as error:
+        raise InputError(f"Cannot read '{path}' ({error.strerror}): name the file of a test card.") from None
+    except UNUSABLE:
+        content = None
+    kinds = {"machine": dict, "layers": list, "fields": dict}
+    if not isinstance(content, dict) or any(
+        not isinstance(content.get(key), kind) for key, kind in kinds.items()
+    ):
+        raise InputError(f"'{path}' is no test card: name the test-card.json that was made with it.")
+    return content

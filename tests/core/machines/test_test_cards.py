@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Test cards: each field is worked with its own settings, and what is kept of one is a machine."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from gcode_reader import Controller
+
+from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.machines.machine import FOLDER, machine, machine_data, read_machine
+from BalloonWorkbench.core.machines.tool import read_tool, tool_data
+from BalloonWorkbench.core.test_cards.card import CUT_OUT, SettingsCard, make_card
+from BalloonWorkbench.core.test_cards.files import CARD_FILE, card_files
+from BalloonWorkbench.core.test_cards.keep import kept_machine
+from BalloonWorkbench.core.units import from_mm, parse_temperature
+
+HOT = {"feed": [200.0, 300.0, 400.0], "tip_temperature": [parse_temperature(f"{c}C") for c in (140, 160)]}
+HOT["depth"] = [from_mm(0.2)]
+LASER = {"power": [20.0, 40.0, 60.0], "feed": [900.0]}
+
+
+def files_of(name: str, tried: dict) -> tuple[SettingsCard, dict[str, bytes]]:
+    card = make_card(machine(name), tried)
+    return card, card_files(card, machine_data(name))
+
+
+def test_a_tip_welds_each_field_at_its_temperature_and_feed() -> None:
+    card, files = files_of("gcode-marlin", HOT)
+    done = Controller("marlin", beam=False).read(files["test-card.gcode"])
+    assert [code for code, _, _ in done.heats] == ["M104", "M109", "M104", "M109", "M104"]
+    assert [(celsius, before) for code, celsius, before in done.heats if code == "M109"] == [
+        (140, 0),
+        (160, 3),
+    ]
+    assert done.heats[-1][1] == 0.0, "it is cold at the end"
+    assert [stroke.feeds for stroke in done.strokes] == [[200.0], [300.0], [400.0]] * 2
+    lengths = [np.linalg.norm(np.diff(stroke.line, axis=0), axis=1).sum() for stroke in done.strokes]
+    assert lengths == pytest.approx([25.0] * 6), "strips of ASTM F88"
+    width, height = card.size
+    places = np.concatenate([stroke.line for stroke in done.strokes])
+    assert (places > 0.0).all()
+    assert (places < 1e3 * np.array([width, height])).all()
+    gaps = {
+        round(float(after.line[0][1] - before.line[0][1]))
+        for before, after in zip(done.strokes, done.strokes[3:])
+    }
+    assert gaps == {50}, "as much free film on both sides as a hand holds"
+
+
+def test_a_laser_cuts_pieces_of_known_size_with_each_power() -> None:
+    _, files = files_of("gcode-grbl", LASER)
+    done = Controller("grbl", beam=True).read(files["test-card.gcode"])
+    assert [stroke.power for stroke in done.strokes] == [200.0, 400.0, 600.0]
+    for stroke in done.strokes:
+        assert np.ptp(stroke.line, axis=0) == pytest.approx([1e3 * CUT_OUT] * 2)
+        assert stroke.line[0] == pytest.approx(stroke.line[-1])
+    assert b"$32=1" in files["test-card.gcode"]
+
+
+def test_what_is_kept_of_a_field_is_a_machine_with_its_settings(tmp_path: Path) -> None:
+    card, files = files_of("gcode-marlin", HOT)
+    (tmp_path / CARD_FILE).write_bytes(files[CARD_FILE])
+    (tmp_path / "tip-pe.json").write_bytes(kept_machine(tmp_path / CARD_FILE, "b2", "tip-pe"))
+    own, ours = read_machine(tmp_path / "tip-pe.json"), read_machine(FOLDER / "gcode-marlin.json")
+    assert own.tool == next(field.machine.tool for field in card.fields if field.name == "B2")
+    assert (own.bed, own.overrun, own.layers.keys()) == (ours.bed, ours.overrun, ours.layers.keys())
+    _, files = files_of("gcode-marlin", LASER | {"tool": ["laser"]})
+    (tmp_path / CARD_FILE).write_bytes(files[CARD_FILE])
+    (tmp_path / "laser-pe.json").write_bytes(kept_machine(tmp_path / CARD_FILE, "A3", "laser-pe"))
+    laser = read_machine(tmp_path / "laser-pe.json")
+    assert laser.tool is not None
+    assert (laser.tool.kind, laser.tool.power) == ("laser", pytest.approx(0.6))
+    assert all(role.is_cut for role in laser.layers)
+
+
+@pytest.mark.parametrize("name", ["gcode-grbl", "gcode-marlin", "gcode-linuxcnc"])
+def test_a_tool_is_written_as_it_is_read(name: str) -> None:
+    tool = machine(name).tool
+    assert tool is not None
+    assert read_tool(tool_data(tool)) == tool
+
+
+@pytest.mark.parametrize(
+    ("name", "tried", "sentence"),
+    [
+        ("lightburn", LASER, "reads no G-code"),
+        ("gcode-grbl", {"feed": [900.0], "power": [20.0]}, "one or two settings"),
+        ("gcode-grbl", {}, "one or two settings"),
+        ("gcode-grbl", LASER | {"feed": [1.0, 2.0], "depth": [0.0, 0.001]}, "one or two settings"),
+        ("gcode-grbl", LASER | {"power": [20.0, 20.0]}, "each once"),
+        ("gcode-grbl", LASER | {"power": [float(k) for k in range(1, 40)]}, "up to twelve"),
+        ("gcode-grbl", LASER | {"power": [20.0, 200.0]}, "power of a laser must be from"),
+        ("gcode-grbl", LASER | {"power": [20.0, float("nan")]}, "power of a laser must be from"),
+        ("gcode-grbl", {"feed": [900.0, 600.0]}, "Nobody but you knows the power"),
+        ("gcode-marlin", HOT | {"tip_temperature": [373.0, 383.0, 393.0, 403.0, 413.0]}, "220 mm x 220 mm"),
+    ],
+)  # fmt: skip
+def test_cards_that_make_no_sense(name: str, tried: dict, sentence: str) -> None:
+    with pytest.raises(InputError, match=sentence):
+        make_card(machine(name), tried)
+
+
+@pytest.mark.parametrize(
+    "content", ["", "[]", "{}", '{"machine": {}, "layers": {}, "fields": 3}', "\x00", "NaN"]
+)
+def test_files_that_are_no_cards(content: str, tmp_path: Path) -> None:
+    file = tmp_path / CARD_FILE
+    file.write_text(content)
+    with pytest.raises(InputError, match="no test card"):
+        kept_machine(file, "A1", "mine")
+    with pytest.raises(InputError, match="Cannot read"):
+        kept_machine(tmp_path / "none.json", "A1", "mine")
+
+
+def test_fields_and_names_that_there_are_not(tmp_path: Path) -> None:
+    _, files = files_of("gcode-grbl", LASER)
+    file = tmp_path / CARD_FILE
+    file.write_bytes(files[CARD_FILE])
+    with pytest.raises(InputError, match="A1, A2, A3"):
+        kept_machine(file, "Z9", "mine")
+    for name in ("", "../mine", "Mine", "a b"):
+        with pytest.raises(InputError, match="name of a machine"):
+            kept_machine(file, "A1", name)
+    assert json.loads(kept_machine(file, " a1 ", "mine"))["tool"]["power_percent"] == 20.0
