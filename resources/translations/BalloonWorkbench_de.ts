@@ -1079,6 +1079,10 @@
         <translation>„{0}“ ist nicht zu lesen ({1}): eine JSON-Datei mit Einstellungen angeben.</translation>
     </message>
     <message>
+        <source>'{0}' cannot be the name of a machine: take small letters, digits and -.</source>
+        <translation>'{0}' kann nicht der Name einer Maschine sein: Nehmen Sie Kleinbuchstaben, Ziffern und -.</translation>
+    </message>
+    <message>
         <source>'{0}' has a column twice.</source>
         <translation>„{0}“ hat eine Spalte zweimal.</translation>
     </message>
@@ -1096,7 +1100,7 @@
     </message>
     <message>
         <source>'{0}' has no closed line: give the pattern as it was cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>„{0}“ hat keine geschlossene Linie: das Schnittmuster angeben, wie es geschnitten wurde.</translation>
     </message>
     <message>
         <source>'{0}' has no panels of its own: give gores, or the width of a side band.</source>
@@ -1207,6 +1211,10 @@
         <translation>„{0}“ ist keine Tabelle ({1}): als CSV speichern.</translation>
     </message>
     <message>
+        <source>'{0}' is no test card: name the test-card.json that was made with it.</source>
+        <translation>'{0}' ist keine Testkarte: Nennen Sie die test-card.json, die mit ihr gemacht wurde.</translation>
+    </message>
+    <message>
         <source>'{0}' is no text in UTF-8: save it as one.</source>
         <translation>„{0}“ ist kein Text in UTF-8: als solchen speichern.</translation>
     </message>
@@ -1308,7 +1316,7 @@
     </message>
     <message>
         <source>--rim is the width of the weld and of the film beside it: give 0 to 1 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>--rim ist die Breite der Schweißnaht und der Folie daneben: 0 bis 1 m angeben.</translation>
     </message>
     <message>
         <source>--target-volume and --target-lift decide the size: leave out --width and --height.</source>
@@ -1380,11 +1388,11 @@
     </message>
     <message>
         <source>A fitted film is written beside the numbers of a known one: give it by --material.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine angepasste Folie wird neben die Zahlen einer bekannten geschrieben: diese mit --material angeben.</translation>
     </message>
     <message>
         <source>A flat panel has no pressure and no rim: leave out --fit, --rim and --uncorrected.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine flache Bahn hat keinen Druck und keinen Rand: --fit, --rim und --uncorrected weglassen.</translation>
     </message>
     <message>
         <source>A goal has no '{0}': it has one of {1}, and {2}, {3} and {4}.</source>
@@ -1516,7 +1524,11 @@
     </message>
     <message>
         <source>A separating layer of PTFE gives off poisonous fumes above {0}: lay baking paper between tool and film, and air the room.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Trennlage aus PTFE gibt über {0} giftige Dämpfe ab: Backpapier zwischen Werkzeug und Folie legen und den Raum lüften.</translation>
+    </message>
+    <message>
+        <source>A setting is tried with up to twelve values, each once.</source>
+        <translation>Eine Einstellung wird mit bis zu zwölf Werten versucht, jedem einmal.</translation>
     </message>
     <message>
         <source>A sketch with dimensions: change a cell of the spreadsheet, and all follows</source>
@@ -1547,8 +1559,16 @@
         <translation>Eine Toleranzstudie nimmt 1 bis {0} Stichproben, nicht {1}: {2} sagen schon viel.</translation>
     </message>
     <message>
+        <source>A test card is for a machine, in a folder: give --machine and --out.</source>
+        <translation>Eine Testkarte ist für eine Maschine, in einem Ordner: Geben Sie --machine und --out an.</translation>
+    </message>
+    <message>
+        <source>A test card tries one or two settings: give several values of them, such as 200,300,400.</source>
+        <translation>Eine Testkarte versucht eine oder zwei Einstellungen: Geben Sie von ihnen mehrere Werte an, etwa 200,300,400.</translation>
+    </message>
+    <message>
         <source>A tool is that of a machine that reads G-code: give --machine gcode-grbl or another.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Werkzeug gehört zu einer Maschine, die G-Code liest: --machine gcode-grbl oder eine andere angeben.</translation>
     </message>
     <message>
         <source>A volume of {0} cannot be made: give one such as 10l.</source>
@@ -1724,11 +1744,11 @@
     </message>
     <message>
         <source>As made over what was expected</source>
-        <translation type="unfinished"></translation>
+        <translation>Hergestelltes über Erwartetem</translation>
     </message>
     <message>
         <source>As made: {0}, expected: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Hergestellt: {0}, erwartet: {1}</translation>
     </message>
     <message>
         <source>Assembly sheet</source>
@@ -1744,7 +1764,7 @@
     </message>
     <message>
         <source>At work the {0} is {1} above the film, and lifted {2} only: give it more depth, or a higher lift_mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beim Arbeiten ist das Werkzeug ({0}) {1} über der Folie, und angehoben nur {2}: mehr Tiefe oder ein größeres lift_mm angeben.</translation>
     </message>
     <message>
         <source>At worst the film lies {0} on the wrong side of the body, and a margin of {1} was asked for. Take more panels, or a larger margin.</source>
@@ -1883,6 +1903,10 @@
         <translation>Um mindestens</translation>
     </message>
     <message>
+        <source>Cannot read '{0}' ({1}): name the file of a test card.</source>
+        <translation>'{0}' lässt sich nicht lesen ({1}): Nennen Sie die Datei einer Testkarte.</translation>
+    </message>
+    <message>
         <source>Cannot write to '{0}' ({1}): choose another folder for the study.</source>
         <translation>In „{0}“ kann nicht geschrieben werden ({1}): einen anderen Ordner für die Studie wählen.</translation>
     </message>
@@ -2005,6 +2029,10 @@
     <message>
         <source>Colour map</source>
         <translation>Farbkarte</translation>
+    </message>
+    <message>
+        <source>Columns from the left: {0}</source>
+        <translation>Spalten von links: {0}</translation>
     </message>
     <message>
         <source>Coordinates really are inches, and the header says so.</source>
@@ -2256,7 +2284,7 @@
     </message>
     <message>
         <source>Farthest off near {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Größte Abweichung nahe {0}</translation>
     </message>
     <message>
         <source>Farthest point</source>
@@ -2472,11 +2500,11 @@
     </message>
     <message>
         <source>G-code, and no other format, has a tool: give both or none.</source>
-        <translation type="unfinished"></translation>
+        <translation>G-Code, und kein anderes Format, hat ein Werkzeug: beides oder keines angeben.</translation>
     </message>
     <message>
         <source>GRBL machine (G-code)</source>
-        <translation type="unfinished"></translation>
+        <translation>GRBL-Maschine (G-Code)</translation>
     </message>
     <message>
         <source>Gaps of up to {0} between lines were closed.</source>
@@ -2628,7 +2656,7 @@
     </message>
     <message>
         <source>Home, then set X0 Y0 at the lower left corner of the film and Z0 where the tip touches the layer over it (G92); nothing homes. Lay baking paper or PTFE between tip and film, tape the film flat.</source>
-        <translation type="unfinished"></translation>
+        <translation>Referenzfahrt machen, dann X0 Y0 auf die linke untere Ecke der Folie setzen und Z0 dorthin, wo die Spitze die Lage über ihr berührt (G92); die Datei macht keine Referenzfahrt. Backpapier oder PTFE zwischen Spitze und Folie legen, die Folie flach festkleben.</translation>
     </message>
     <message>
         <source>Hours of welding, where they are known</source>
@@ -2968,7 +2996,7 @@
     </message>
     <message>
         <source>LinuxCNC machine (G-code)</source>
-        <translation type="unfinished"></translation>
+        <translation>LinuxCNC-Maschine (G-Code)</translation>
     </message>
     <message>
         <source>Live</source>
@@ -3028,7 +3056,7 @@
     </message>
     <message>
         <source>Making tool paths</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkzeugwege werden erzeugt</translation>
     </message>
     <message>
         <source>Marks</source>
@@ -3036,7 +3064,7 @@
     </message>
     <message>
         <source>Marlin printer (G-code)</source>
-        <translation type="unfinished"></translation>
+        <translation>Marlin-Drucker (G-Code)</translation>
     </message>
     <message>
         <source>Material</source>
@@ -3232,7 +3260,7 @@
     </message>
     <message>
         <source>No shape in the photograph is like the one that was expected: take it straight from the front, on a plain background without anything else in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Form auf dem Foto gleicht der erwarteten: es gerade von vorn aufnehmen, vor einem einfarbigen Hintergrund und ohne etwas anderes darauf.</translation>
     </message>
     <message>
         <source>No shape stands out in the picture. Use stronger colours or a plainer background.</source>
@@ -3256,7 +3284,7 @@
     </message>
     <message>
         <source>No speed and power are known for {0}, so none are written: set them in LightBurn, or give speed_mm_s and max_power_percent in a file of your machine.</source>
-        <translation type="unfinished"></translation>
+        <translation>Für {0} sind Geschwindigkeit und Leistung unbekannt, darum werden keine geschrieben: sie in LightBurn einstellen, oder speed_mm_s und max_power_percent in einer eigenen Maschinendatei angeben.</translation>
     </message>
     <message>
         <source>No triangle of the mesh has an area. Save the body as a mesh of triangles.</source>
@@ -3272,7 +3300,7 @@
     </message>
     <message>
         <source>Nobody but you knows the {0} of your {1} for this film: give {2}, or {3} of the tool in a machine file of your own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur Sie kennen {0} für diese Folie ({1}): {2} angeben, oder {3} des Werkzeugs in einer eigenen Maschinendatei.</translation>
     </message>
     <message>
         <source>None</source>
@@ -3288,7 +3316,7 @@
     </message>
     <message>
         <source>Not all holes are seen in the photograph: those that are not count as wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf dem Foto sind nicht alle Löcher zu sehen: die nicht zu sehenden zählen als falsch.</translation>
     </message>
     <message>
         <source>Not possible</source>
@@ -3367,6 +3395,10 @@
         <translation>OK, dann {}</translation>
     </message>
     <message>
+        <source>Of a card one field is kept: give --keep B3, or another one, and --name.</source>
+        <translation>Von einer Karte wird ein Feld behalten: Geben Sie --keep B3 oder ein anderes an, und --name.</translation>
+    </message>
+    <message>
         <source>Of the bodies of the mesh only the largest is made; all in all there are: {0}.</source>
         <translation>Von den Körpern des Netzes wird nur der größte gemacht; insgesamt sind es: {0}.</translation>
     </message>
@@ -3440,7 +3472,7 @@
     </message>
     <message>
         <source>Only balloons of two equal panels are compared with a photograph: compare the panels of others one by one with --flat.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur Ballons aus zwei gleichen Bahnen werden mit einem Foto verglichen: die Bahnen anderer einzeln mit --flat vergleichen.</translation>
     </message>
     <message>
         <source>Only grades of this film with a sealing layer weld: try scraps before you cut.</source>
@@ -3896,7 +3928,7 @@
     </message>
     <message>
         <source>Put the same moves into the document, as objects of FreeCAD's workbench Path (CAM since 1.0), which can simulate them and write them with its post processors</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieselben Bewegungen ins Dokument legen, als Objekte von FreeCADs Arbeitsbereich Path (seit 1.0 CAM), der sie simulieren und mit seinen Postprozessoren schreiben kann</translation>
     </message>
     <message>
         <source>RDWorks (Ruida laser)</source>
@@ -3985,6 +4017,10 @@
     <message>
         <source>Row {0}: {1}</source>
         <translation>Zeile {0}: {1}</translation>
+    </message>
+    <message>
+        <source>Rows from below: {0}</source>
+        <translation>Zeilen von unten: {0}</translation>
     </message>
     <message>
         <source>Rows: {0}, of these make no sense: {1}</source>
@@ -4256,11 +4292,11 @@
     </message>
     <message>
         <source>Set X0 Y0 at the lower left corner of the film, and Z0 where the tool touches it; nothing homes. A laser wants laser mode, $32=1.</source>
-        <translation type="unfinished"></translation>
+        <translation>X0 Y0 auf die linke untere Ecke der Folie setzen und Z0 dorthin, wo das Werkzeug sie berührt; die Datei macht keine Referenzfahrt. Ein Laser braucht den Lasermodus, $32=1.</translation>
     </message>
     <message>
         <source>Set X0 Y0 at the lower left corner of the film, and Z0 where the tool touches it; nothing homes. For a swivel knife set its offset in a machine file of your own.</source>
-        <translation type="unfinished"></translation>
+        <translation>X0 Y0 auf die linke untere Ecke der Folie setzen und Z0 dorthin, wo das Werkzeug sie berührt; die Datei macht keine Referenzfahrt. Bei einem Schleppmesser dessen Versatz in einer eigenen Maschinendatei einstellen.</translation>
     </message>
     <message>
         <source>Set the opening</source>
@@ -4268,7 +4304,7 @@
     </message>
     <message>
         <source>Shadows on the background were taken off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schatten auf dem Hintergrund wurden entfernt.</translation>
     </message>
     <message>
         <source>Shape that stays flat</source>
@@ -4412,7 +4448,7 @@
     </message>
     <message>
         <source>Stretch of the film: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Dehnung der Folie: {0}</translation>
     </message>
     <message>
         <source>Strips</source>
@@ -4728,7 +4764,7 @@
     </message>
     <message>
         <source>The balloon has parts too thin to fit the film with: use a wider shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Ballon hat Teile, die zu dünn sind, um die Folie daran anzupassen: eine breitere Form benutzen.</translation>
     </message>
     <message>
         <source>The balloon is not near rest. Inflate it anew.</source>
@@ -4801,6 +4837,10 @@
     <message>
         <source>The caps are too large for the ball. Choose a smaller diameter for them.</source>
         <translation>Die Kappen sind zu groß für den Ball. Einen kleineren Durchmesser für sie wählen.</translation>
+    </message>
+    <message>
+        <source>The card has no field {0}: choose one of {1}.</source>
+        <translation>Die Karte hat kein Feld {0}: Wählen Sie eines von {1}.</translation>
     </message>
     <message>
         <source>The cluster cannot be made ({0}): check the file that --cluster names.</source>
@@ -5080,7 +5120,7 @@
     </message>
     <message>
         <source>The intake was left out of the comparison.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Füllhals wurde beim Vergleich weggelassen.</translation>
     </message>
     <message>
         <source>The intake would run into another part of the balloon: choose another angle or length for it.</source>
@@ -5152,7 +5192,7 @@
     </message>
     <message>
         <source>The lines make up for a kerf of {0} already: leave LightBurn's kerf offset at 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Linien gleichen eine Schnittfuge von {0} schon aus: den Schnittfugenversatz (Kerf) von LightBurn auf 0 lassen.</translation>
     </message>
     <message>
         <source>The lines of the drawing do not close around anything: the outline follows the lines.</source>
@@ -5348,11 +5388,11 @@
     </message>
     <message>
         <source>The photograph shows the back: it was mirrored.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Foto zeigt die Rückseite: es wurde gespiegelt.</translation>
     </message>
     <message>
         <source>The photograph shows too many shapes: take one of the balloon alone, on a plain background.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Foto zeigt zu viele Formen: eines vom Ballon allein aufnehmen, vor einem einfarbigen Hintergrund.</translation>
     </message>
     <message>
         <source>The picture has a single colour. Choose one that shows a shape on a background.</source>
@@ -5480,11 +5520,11 @@
     </message>
     <message>
         <source>The scale '{0}' cannot be used: {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Maßstab „{0}“ ist unbrauchbar: {1}.</translation>
     </message>
     <message>
         <source>The scale of {0} over {1} pixels has no length: mark two points that are far apart, and give the distance between them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Maßstab von {0} auf {1} Pixel hat keine Länge: zwei Punkte markieren, die weit auseinander liegen, und den Abstand zwischen ihnen angeben.</translation>
     </message>
     <message>
         <source>The scheduler of Dask went away: start it and the study again; nothing is lost.</source>
@@ -5544,11 +5584,11 @@
     </message>
     <message>
         <source>The shape has the colour of a shadow: shadows on the background count as part of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Form hat die Farbe eines Schattens: Schatten auf dem Hintergrund zählen zu ihr.</translation>
     </message>
     <message>
         <source>The shape in the photograph measures {0}, {1} were expected: check the scale, or whether it is the right photograph.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Form auf dem Foto misst {0}, erwartet wurden {1}: den Maßstab prüfen, oder ob es das richtige Foto ist.</translation>
     </message>
     <message>
         <source>The shape in the picture is too frayed to trace. Use a clearer picture.</source>
@@ -5560,7 +5600,7 @@
     </message>
     <message>
         <source>The shape touches the {0} border of the photograph: take one that shows all of it on a plain background.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Form berührt den Rand des Fotos ({0}): eines aufnehmen, das sie ganz zeigt, vor einem einfarbigen Hintergrund.</translation>
     </message>
     <message>
         <source>The shape touches the {0} border of the picture; if it was cut off there, leave more margin.</source>
@@ -5719,6 +5759,10 @@
         <translation>Die Temperatur ({0}) von {1} Grad Celsius ist außerhalb des Bereichs: zum Beispiel 20C angeben.</translation>
     </message>
     <message>
+        <source>The test card measures {0}, the bed of {1} {2}: try fewer values, or say with --bed how large it is.</source>
+        <translation>Die Testkarte misst {0}, die Fläche von {1} {2}: Versuchen Sie weniger Werte, oder sagen Sie mit --bed, wie groß sie ist.</translation>
+    </message>
+    <message>
         <source>The thickness of the balloon decides the width of its side band: give one of them.</source>
         <translation>Die Dicke des Ballons bestimmt die Breite seines Seitenbands: eines von beiden angeben.</translation>
     </message>
@@ -5744,7 +5788,7 @@
     </message>
     <message>
         <source>The weld draws the seam inward by {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Schweißnaht zieht die Naht nach innen, um {0}</translation>
     </message>
     <message>
         <source>The width and the height must be more than 0.</source>
@@ -5812,7 +5856,7 @@
     </message>
     <message>
         <source>The {0} of a {1} must be from {2} to {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Für {1} muss {0} von {2} bis {3} sein.</translation>
     </message>
     <message>
         <source>The {0} strays by {1} % in sample {2}, which leaves nothing of it: give a smaller spread.</source>
@@ -5841,6 +5885,10 @@
     <message>
         <source>There can be 1 to {0} copies, not {1}.</source>
         <translation>Möglich sind 1 bis {0} Stück, nicht {1}.</translation>
+    </message>
+    <message>
+        <source>There is a machine {0} of your own: give another --name, or delete its file.</source>
+        <translation>Es gibt schon eine eigene Maschine {0}: Geben Sie einen anderen --name an, oder löschen Sie ihre Datei.</translation>
     </message>
     <message>
         <source>There is advice about two equal panels only: of many, the warnings tell.</source>
@@ -6072,7 +6120,7 @@
     </message>
     <message>
         <source>This shape does not tell a stretch of the film from a weld that draws the seam inward: it is either a stretch of {0}, or a weld that draws it inward by {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Form unterscheidet eine Dehnung der Folie nicht von einer Schweißnaht, die die Naht nach innen zieht: es ist entweder eine Dehnung von {0} oder eine Schweißnaht, die sie nach innen zieht, um {1}.</translation>
     </message>
     <message>
         <source>This shape stays flat: it holds {percent} of the air that a round balloon of as much film would. Fewer and wider parts make it rounder.</source>
@@ -6112,11 +6160,11 @@
     </message>
     <message>
         <source>Tool paths</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkzeugwege</translation>
     </message>
     <message>
         <source>Tool paths, no file</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkzeugwege, keine Datei</translation>
     </message>
     <message>
         <source>Tracing paper, 92 g/m²</source>
@@ -6219,6 +6267,10 @@
         <translation>Oberes Ende</translation>
     </message>
     <message>
+        <source>Use it as --machine {0}; in FreeCAD it is among the machines.</source>
+        <translation>Verwenden Sie sie als --machine {0}; in FreeCAD ist sie unter den Maschinen.</translation>
+    </message>
+    <message>
         <source>Used</source>
         <translation>Genutzt</translation>
     </message>
@@ -6256,7 +6308,7 @@
     </message>
     <message>
         <source>Water column</source>
-        <translation type="unfinished"></translation>
+        <translation>Wassersäule</translation>
     </message>
     <message>
         <source>Weakest place</source>
@@ -6428,7 +6480,7 @@
     </message>
     <message>
         <source>With --scale {0} the size tells nothing of the film: give the photograph's scale to fit it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit --scale {0} sagt die Größe nichts über die Folie: den Maßstab des Fotos angeben, um sie anzupassen.</translation>
     </message>
     <message>
         <source>With a side band the balloon of this drawing becomes {0} to {1} thick, not {2}. Choose a thickness between, or draw its parts wider or narrower.</source>
@@ -6664,11 +6716,11 @@
     </message>
     <message>
         <source>as made is larger</source>
-        <translation type="unfinished"></translation>
+        <translation>hergestellt größer</translation>
     </message>
     <message>
         <source>as made is smaller</source>
-        <translation type="unfinished"></translation>
+        <translation>hergestellt kleiner</translation>
     </message>
     <message>
         <source>at most </source>
@@ -6676,7 +6728,7 @@
     </message>
     <message>
         <source>at most {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>höchstens {0}</translation>
     </message>
     <message>
         <source>at most {} ({})</source>
@@ -6739,6 +6791,10 @@
         <translation>Abweichung beim Schneiden</translation>
     </message>
     <message>
+        <source>depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
         <source>designing a balloon</source>
         <translation>Entwurf eines Ballons</translation>
     </message>
@@ -6755,6 +6811,10 @@
         <translation>gezeichnete Marke</translation>
     </message>
     <message>
+        <source>dwell</source>
+        <translation>Wartezeit</translation>
+    </message>
+    <message>
         <source>edge {0} of {1}panel '{2}'</source>
         <translation>Kante {0} von {1}Bahn „{2}“</translation>
     </message>
@@ -6767,8 +6827,12 @@
         <translation>leer: </translation>
     </message>
     <message>
+        <source>feed</source>
+        <translation>Vorschub</translation>
+    </message>
+    <message>
         <source>feed in corners</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorschub in Ecken</translation>
     </message>
     <message>
         <source>fetch the native solver from the network, where the workbench came without it</source>
@@ -6792,7 +6856,7 @@
     </message>
     <message>
         <source>fitted to the photograph {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>an das Foto {0} angepasst</translation>
     </message>
     <message>
         <source>fold</source>
@@ -6841,6 +6905,14 @@
     <message>
         <source>hole {0} of panel '{1}'</source>
         <translation>Loch {0} der Bahn „{1}“</translation>
+    </message>
+    <message>
+        <source>hot tip</source>
+        <translation>heiße Spitze</translation>
+    </message>
+    <message>
+        <source>hot wheel</source>
+        <translation>heißes Rad</translation>
     </message>
     <message>
         <source>hydrogen</source>
@@ -6935,16 +7007,28 @@
         <translation>ihre Punkte haben kein x, y und z.</translation>
     </message>
     <message>
+        <source>knife</source>
+        <translation>Messer</translation>
+    </message>
+    <message>
         <source>known of two equal panels alone</source>
         <translation>nur bei zwei gleichen Bahnen bekannt</translation>
     </message>
     <message>
+        <source>laser</source>
+        <translation>Laser</translation>
+    </message>
+    <message>
         <source>layer {0} of the LightBurn project has two speeds or powers: give its roles one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ebene {0} des LightBurn-Projekts hat zwei Geschwindigkeiten oder Leistungen: ihren Aufgaben nur eine geben.</translation>
     </message>
     <message>
         <source>laying out, {0} so far</source>
         <translation>Auslegen, bisher {0}</translation>
+    </message>
+    <message>
+        <source>lead-in</source>
+        <translation>Einlauf</translation>
     </message>
     <message>
         <source>left</source>
@@ -6965,6 +7049,10 @@
     <message>
         <source>lift</source>
         <translation>Auftrieb</translation>
+    </message>
+    <message>
+        <source>lift of the tool</source>
+        <translation>Hub des Werkzeugs</translation>
     </message>
     <message>
         <source>loose: {}</source>
@@ -6992,7 +7080,7 @@
     </message>
     <message>
         <source>min_power_percent of {0} is more than max_power_percent: exchange the two.</source>
-        <translation type="unfinished"></translation>
+        <translation>min_power_percent von {0} ist mehr als max_power_percent: beide tauschen.</translation>
     </message>
     <message>
         <source>more than</source>
@@ -7028,7 +7116,7 @@
     </message>
     <message>
         <source>nobody knows "{0}" of a tool: it may be one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>niemand kennt „{0}“ eines Werkzeugs: möglich sind {1}.</translation>
     </message>
     <message>
         <source>nobody knows "{0}": it may be one of {1}.</source>
@@ -7044,7 +7132,7 @@
     </message>
     <message>
         <source>number for full power</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahl für volle Leistung</translation>
     </message>
     <message>
         <source>opacity</source>
@@ -7064,11 +7152,15 @@
     </message>
     <message>
         <source>passes of {0} is {1}: give a whole number.</source>
-        <translation type="unfinished"></translation>
+        <translation>passes von {0} ist {1}: eine ganze Zahl angeben.</translation>
     </message>
     <message>
         <source>place "{0}" is neither {1} nor {2}.</source>
         <translation>place „{0}“ ist weder {1} noch {2}.</translation>
+    </message>
+    <message>
+        <source>power</source>
+        <translation>Leistung</translation>
     </message>
     <message>
         <source>pressure</source>
@@ -7116,7 +7208,11 @@
     </message>
     <message>
         <source>speed of the spindle</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehzahl der Spindel</translation>
+    </message>
+    <message>
+        <source>spindle</source>
+        <translation>Spindel</translation>
     </message>
     <message>
         <source>stale: </source>
@@ -7208,7 +7304,7 @@
     </message>
     <message>
         <source>the layer {0} lacks {1}: give speed and power together, or neither.</source>
-        <translation type="unfinished"></translation>
+        <translation>der Ebene {0} fehlt {1}: Geschwindigkeit und Leistung zusammen angeben, oder keine von beiden.</translation>
     </message>
     <message>
         <source>the name "{0}" of the stock goes into file names: take letters a to z.</source>
@@ -7224,7 +7320,7 @@
     </message>
     <message>
         <source>the tool "{0}" is none of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>das Werkzeug „{0}“ ist keines von {1}.</translation>
     </message>
     <message>
         <source>the weld rigidity lacks its source: write where it is from, or "assumed".</source>
@@ -7309,6 +7405,10 @@
     <message>
         <source>welding error</source>
         <translation>Abweichung beim Schweißen</translation>
+    </message>
+    <message>
+        <source>what came out</source>
+        <translation>was herauskam</translation>
     </message>
     <message>
         <source>width</source>
@@ -7424,7 +7524,7 @@
     </message>
     <message>
         <source>{0} has a speed and a power, which only layers below {1} of a LightBurn project have: remove them.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} hat eine Geschwindigkeit und eine Leistung, die nur Ebenen unter {1} eines LightBurn-Projekts haben: sie entfernen.</translation>
     </message>
     <message>
         <source>{0} has an error: repair it.</source>
@@ -7672,7 +7772,7 @@
     </message>
     <message>
         <source>{0} is {1}: give a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ist {1}: eine Zahl angeben.</translation>
     </message>
     <message>
         <source>{0} is {1}: write true or false.</source>
@@ -7704,7 +7804,7 @@
     </message>
     <message>
         <source>{0} mm with an error of {1} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} mm mit einem Fehler von {1} mm</translation>
     </message>
     <message>
         <source>{0} must never be cut with a laser: choose a machine with a knife.</source>
@@ -7759,6 +7859,10 @@
         <translation>{0} Bahnen treffen sich in einem Punkt, den keine Naht schließt: die Kappe vom Bogen darübersiegeln oder ihn abkleben.</translation>
     </message>
     <message>
+        <source>{0} reads no G-code: choose a machine that does.</source>
+        <translation>{0} liest keinen G-Code: Wählen Sie eine Maschine, die das tut.</translation>
+    </message>
+    <message>
         <source>{0} reads {1}, which has no pages: choose paper.</source>
         <translation>{0} liest {1}, das keine Seiten hat: Papier wählen.</translation>
     </message>
@@ -7804,7 +7908,7 @@
     </message>
     <message>
         <source>{0} turns a minute</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} Umdrehungen je Minute</translation>
     </message>
     <message>
         <source>{0} was left out. {1}</source>
@@ -7824,7 +7928,7 @@
     </message>
     <message>
         <source>{0} with an error of {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} mit einem Fehler von {1}</translation>
     </message>
     <message>
         <source>{0} with valve {1}</source>

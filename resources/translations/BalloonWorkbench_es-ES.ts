@@ -1079,6 +1079,10 @@
         <translation>«{0}» no se puede leer ({1}): indique un archivo JSON de ajustes.</translation>
     </message>
     <message>
+        <source>'{0}' cannot be the name of a machine: take small letters, digits and -.</source>
+        <translation>'{0}' no puede ser el nombre de una máquina: use minúsculas, cifras y -.</translation>
+    </message>
+    <message>
         <source>'{0}' has a column twice.</source>
         <translation>«{0}» tiene una columna dos veces.</translation>
     </message>
@@ -1096,7 +1100,7 @@
     </message>
     <message>
         <source>'{0}' has no closed line: give the pattern as it was cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>«{0}» no tiene ninguna línea cerrada: dé el patrón tal como se cortó.</translation>
     </message>
     <message>
         <source>'{0}' has no panels of its own: give gores, or the width of a side band.</source>
@@ -1207,6 +1211,10 @@
         <translation>«{0}» no es una tabla ({1}): guárdela como CSV.</translation>
     </message>
     <message>
+        <source>'{0}' is no test card: name the test-card.json that was made with it.</source>
+        <translation>'{0}' no es una tarjeta de prueba: indique el test-card.json que se hizo con ella.</translation>
+    </message>
+    <message>
         <source>'{0}' is no text in UTF-8: save it as one.</source>
         <translation>«{0}» no es un texto en UTF-8: guárdelo así.</translation>
     </message>
@@ -1308,7 +1316,7 @@
     </message>
     <message>
         <source>--rim is the width of the weld and of the film beside it: give 0 to 1 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>--rim es la anchura de la soldadura y de la película junto a ella: indique de 0 a 1 m.</translation>
     </message>
     <message>
         <source>--target-volume and --target-lift decide the size: leave out --width and --height.</source>
@@ -1380,11 +1388,11 @@
     </message>
     <message>
         <source>A fitted film is written beside the numbers of a known one: give it by --material.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una película ajustada se escribe junto a los números de una conocida: indíquela con --material.</translation>
     </message>
     <message>
         <source>A flat panel has no pressure and no rim: leave out --fit, --rim and --uncorrected.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un panel plano no tiene presión ni borde: omita --fit, --rim y --uncorrected.</translation>
     </message>
     <message>
         <source>A goal has no '{0}': it has one of {1}, and {2}, {3} and {4}.</source>
@@ -1516,7 +1524,11 @@
     </message>
     <message>
         <source>A separating layer of PTFE gives off poisonous fumes above {0}: lay baking paper between tool and film, and air the room.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una capa separadora de PTFE desprende vapores tóxicos por encima de {0}: ponga papel de hornear entre herramienta y película, y ventile la habitación.</translation>
+    </message>
+    <message>
+        <source>A setting is tried with up to twelve values, each once.</source>
+        <translation>Un ajuste se prueba con doce valores como máximo, cada uno una vez.</translation>
     </message>
     <message>
         <source>A sketch with dimensions: change a cell of the spreadsheet, and all follows</source>
@@ -1547,8 +1559,16 @@
         <translation>Un estudio de tolerancias toma de 1 a {0} muestras, no {1}: {2} ya dicen mucho.</translation>
     </message>
     <message>
+        <source>A test card is for a machine, in a folder: give --machine and --out.</source>
+        <translation>Una tarjeta de prueba es para una máquina, en una carpeta: dé --machine y --out.</translation>
+    </message>
+    <message>
+        <source>A test card tries one or two settings: give several values of them, such as 200,300,400.</source>
+        <translation>Una tarjeta de prueba prueba uno o dos ajustes: dé varios valores de ellos, como 200,300,400.</translation>
+    </message>
+    <message>
         <source>A tool is that of a machine that reads G-code: give --machine gcode-grbl or another.</source>
-        <translation type="unfinished"></translation>
+        <translation>La herramienta es la de una máquina que lee código G: indique --machine gcode-grbl u otra.</translation>
     </message>
     <message>
         <source>A volume of {0} cannot be made: give one such as 10l.</source>
@@ -1724,11 +1744,11 @@
     </message>
     <message>
         <source>As made over what was expected</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo hecho sobre lo esperado</translation>
     </message>
     <message>
         <source>As made: {0}, expected: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Hecho: {0}, esperado: {1}</translation>
     </message>
     <message>
         <source>Assembly sheet</source>
@@ -1744,7 +1764,7 @@
     </message>
     <message>
         <source>At work the {0} is {1} above the film, and lifted {2} only: give it more depth, or a higher lift_mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Al trabajar, la herramienta ({0}) está {1} por encima de la película, y levantada solo {2}: dele más profundidad, o un lift_mm mayor.</translation>
     </message>
     <message>
         <source>At worst the film lies {0} on the wrong side of the body, and a margin of {1} was asked for. Take more panels, or a larger margin.</source>
@@ -1883,6 +1903,10 @@
         <translation>Distancia mínima</translation>
     </message>
     <message>
+        <source>Cannot read '{0}' ({1}): name the file of a test card.</source>
+        <translation>No se puede leer '{0}' ({1}): indique el archivo de una tarjeta de prueba.</translation>
+    </message>
+    <message>
         <source>Cannot write to '{0}' ({1}): choose another folder for the study.</source>
         <translation>No se puede escribir en «{0}» ({1}): elija otra carpeta para el estudio.</translation>
     </message>
@@ -2005,6 +2029,10 @@
     <message>
         <source>Colour map</source>
         <translation>Mapa de colores</translation>
+    </message>
+    <message>
+        <source>Columns from the left: {0}</source>
+        <translation>Columnas desde la izquierda: {0}</translation>
     </message>
     <message>
         <source>Coordinates really are inches, and the header says so.</source>
@@ -2256,7 +2284,7 @@
     </message>
     <message>
         <source>Farthest off near {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Mayor desviación cerca de {0}</translation>
     </message>
     <message>
         <source>Farthest point</source>
@@ -2472,11 +2500,11 @@
     </message>
     <message>
         <source>G-code, and no other format, has a tool: give both or none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Solo el formato de código G tiene herramienta, ningún otro: indique ambos o ninguno.</translation>
     </message>
     <message>
         <source>GRBL machine (G-code)</source>
-        <translation type="unfinished"></translation>
+        <translation>Máquina GRBL (código G)</translation>
     </message>
     <message>
         <source>Gaps of up to {0} between lines were closed.</source>
@@ -2628,7 +2656,7 @@
     </message>
     <message>
         <source>Home, then set X0 Y0 at the lower left corner of the film and Z0 where the tip touches the layer over it (G92); nothing homes. Lay baking paper or PTFE between tip and film, tape the film flat.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lleve la máquina a su origen (home), luego ponga X0 Y0 en la esquina inferior izquierda de la película y Z0 donde la punta toca la capa que la cubre (G92); el archivo no busca el origen. Ponga papel de hornear o PTFE entre punta y película, y sujete la película plana con cinta.</translation>
     </message>
     <message>
         <source>Hours of welding, where they are known</source>
@@ -2968,7 +2996,7 @@
     </message>
     <message>
         <source>LinuxCNC machine (G-code)</source>
-        <translation type="unfinished"></translation>
+        <translation>Máquina LinuxCNC (código G)</translation>
     </message>
     <message>
         <source>Live</source>
@@ -3028,7 +3056,7 @@
     </message>
     <message>
         <source>Making tool paths</source>
-        <translation type="unfinished"></translation>
+        <translation>Creando trayectorias de herramienta</translation>
     </message>
     <message>
         <source>Marks</source>
@@ -3036,7 +3064,7 @@
     </message>
     <message>
         <source>Marlin printer (G-code)</source>
-        <translation type="unfinished"></translation>
+        <translation>Impresora Marlin (código G)</translation>
     </message>
     <message>
         <source>Material</source>
@@ -3232,7 +3260,7 @@
     </message>
     <message>
         <source>No shape in the photograph is like the one that was expected: take it straight from the front, on a plain background without anything else in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ninguna forma de la fotografía se parece a la esperada: tómela justo de frente, sobre un fondo liso y sin nada más en ella.</translation>
     </message>
     <message>
         <source>No shape stands out in the picture. Use stronger colours or a plainer background.</source>
@@ -3256,7 +3284,7 @@
     </message>
     <message>
         <source>No speed and power are known for {0}, so none are written: set them in LightBurn, or give speed_mm_s and max_power_percent in a file of your machine.</source>
-        <translation type="unfinished"></translation>
+        <translation>No se conocen velocidad ni potencia para {0}, así que no se escriben: ajústelas en LightBurn, o indique speed_mm_s y max_power_percent en un archivo de su máquina.</translation>
     </message>
     <message>
         <source>No triangle of the mesh has an area. Save the body as a mesh of triangles.</source>
@@ -3272,7 +3300,7 @@
     </message>
     <message>
         <source>Nobody but you knows the {0} of your {1} for this film: give {2}, or {3} of the tool in a machine file of your own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Solo usted conoce estos datos de su herramienta ({1}) para esta película: {0}. Indique {2}, o bien {3} de la herramienta en un archivo de máquina propio.</translation>
     </message>
     <message>
         <source>None</source>
@@ -3288,7 +3316,7 @@
     </message>
     <message>
         <source>Not all holes are seen in the photograph: those that are not count as wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>No todos los agujeros se ven en la fotografía: los que no se ven cuentan como error.</translation>
     </message>
     <message>
         <source>Not possible</source>
@@ -3367,6 +3395,10 @@
         <translation>Aceptar y luego {}</translation>
     </message>
     <message>
+        <source>Of a card one field is kept: give --keep B3, or another one, and --name.</source>
+        <translation>De una tarjeta se guarda un campo: dé --keep B3, u otro, y --name.</translation>
+    </message>
+    <message>
         <source>Of the bodies of the mesh only the largest is made; all in all there are: {0}.</source>
         <translation>De los cuerpos de la malla solo se hace el mayor; en total hay: {0}.</translation>
     </message>
@@ -3440,7 +3472,7 @@
     </message>
     <message>
         <source>Only balloons of two equal panels are compared with a photograph: compare the panels of others one by one with --flat.</source>
-        <translation type="unfinished"></translation>
+        <translation>Solo los globos de dos paneles iguales se comparan con una fotografía: compare los paneles de otros uno por uno con --flat.</translation>
     </message>
     <message>
         <source>Only grades of this film with a sealing layer weld: try scraps before you cut.</source>
@@ -3896,7 +3928,7 @@
     </message>
     <message>
         <source>Put the same moves into the document, as objects of FreeCAD's workbench Path (CAM since 1.0), which can simulate them and write them with its post processors</source>
-        <translation type="unfinished"></translation>
+        <translation>Poner los mismos movimientos en el documento, como objetos del banco de trabajo Path de FreeCAD (CAM desde la 1.0), que puede simularlos y escribirlos con sus posprocesadores</translation>
     </message>
     <message>
         <source>RDWorks (Ruida laser)</source>
@@ -3985,6 +4017,10 @@
     <message>
         <source>Row {0}: {1}</source>
         <translation>Fila {0}: {1}</translation>
+    </message>
+    <message>
+        <source>Rows from below: {0}</source>
+        <translation>Filas desde abajo: {0}</translation>
     </message>
     <message>
         <source>Rows: {0}, of these make no sense: {1}</source>
@@ -4256,11 +4292,11 @@
     </message>
     <message>
         <source>Set X0 Y0 at the lower left corner of the film, and Z0 where the tool touches it; nothing homes. A laser wants laser mode, $32=1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ponga X0 Y0 en la esquina inferior izquierda de la película y Z0 donde la herramienta la toca; el archivo no busca el origen. Un láser necesita el modo láser, $32=1.</translation>
     </message>
     <message>
         <source>Set X0 Y0 at the lower left corner of the film, and Z0 where the tool touches it; nothing homes. For a swivel knife set its offset in a machine file of your own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ponga X0 Y0 en la esquina inferior izquierda de la película y Z0 donde la herramienta la toca; el archivo no busca el origen. Con cuchilla giratoria ajuste su desvío en un archivo de máquina propio.</translation>
     </message>
     <message>
         <source>Set the opening</source>
@@ -4268,7 +4304,7 @@
     </message>
     <message>
         <source>Shadows on the background were taken off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se quitaron las sombras del fondo.</translation>
     </message>
     <message>
         <source>Shape that stays flat</source>
@@ -4412,7 +4448,7 @@
     </message>
     <message>
         <source>Stretch of the film: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Estiramiento de la película: {0}</translation>
     </message>
     <message>
         <source>Strips</source>
@@ -4728,7 +4764,7 @@
     </message>
     <message>
         <source>The balloon has parts too thin to fit the film with: use a wider shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>El globo tiene partes demasiado finas para ajustar con ellas la película: use una forma más ancha.</translation>
     </message>
     <message>
         <source>The balloon is not near rest. Inflate it anew.</source>
@@ -4801,6 +4837,10 @@
     <message>
         <source>The caps are too large for the ball. Choose a smaller diameter for them.</source>
         <translation>Los casquetes son demasiado grandes para la pelota. Elija un diámetro menor para ellos.</translation>
+    </message>
+    <message>
+        <source>The card has no field {0}: choose one of {1}.</source>
+        <translation>La tarjeta no tiene ningún campo {0}: elija uno de {1}.</translation>
     </message>
     <message>
         <source>The cluster cannot be made ({0}): check the file that --cluster names.</source>
@@ -5080,7 +5120,7 @@
     </message>
     <message>
         <source>The intake was left out of the comparison.</source>
-        <translation type="unfinished"></translation>
+        <translation>La boca se dejó fuera de la comparación.</translation>
     </message>
     <message>
         <source>The intake would run into another part of the balloon: choose another angle or length for it.</source>
@@ -5152,7 +5192,7 @@
     </message>
     <message>
         <source>The lines make up for a kerf of {0} already: leave LightBurn's kerf offset at 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las líneas ya compensan un ancho de corte de {0}: deje en 0 la compensación de corte (kerf offset) de LightBurn.</translation>
     </message>
     <message>
         <source>The lines of the drawing do not close around anything: the outline follows the lines.</source>
@@ -5348,11 +5388,11 @@
     </message>
     <message>
         <source>The photograph shows the back: it was mirrored.</source>
-        <translation type="unfinished"></translation>
+        <translation>La fotografía muestra el dorso: se reflejó.</translation>
     </message>
     <message>
         <source>The photograph shows too many shapes: take one of the balloon alone, on a plain background.</source>
-        <translation type="unfinished"></translation>
+        <translation>La fotografía muestra demasiadas formas: tome una del globo solo, sobre un fondo liso.</translation>
     </message>
     <message>
         <source>The picture has a single colour. Choose one that shows a shape on a background.</source>
@@ -5480,11 +5520,11 @@
     </message>
     <message>
         <source>The scale '{0}' cannot be used: {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>La escala «{0}» no sirve: {1}.</translation>
     </message>
     <message>
         <source>The scale of {0} over {1} pixels has no length: mark two points that are far apart, and give the distance between them.</source>
-        <translation type="unfinished"></translation>
+        <translation>La escala de {0} en {1} píxeles no tiene longitud: marque dos puntos muy separados e indique la distancia entre ellos.</translation>
     </message>
     <message>
         <source>The scheduler of Dask went away: start it and the study again; nothing is lost.</source>
@@ -5544,11 +5584,11 @@
     </message>
     <message>
         <source>The shape has the colour of a shadow: shadows on the background count as part of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>La forma tiene el color de una sombra: las sombras del fondo cuentan como parte de ella.</translation>
     </message>
     <message>
         <source>The shape in the photograph measures {0}, {1} were expected: check the scale, or whether it is the right photograph.</source>
-        <translation type="unfinished"></translation>
+        <translation>La forma de la fotografía mide {0}, se esperaban {1}: revise la escala, o si es la fotografía correcta.</translation>
     </message>
     <message>
         <source>The shape in the picture is too frayed to trace. Use a clearer picture.</source>
@@ -5560,7 +5600,7 @@
     </message>
     <message>
         <source>The shape touches the {0} border of the photograph: take one that shows all of it on a plain background.</source>
-        <translation type="unfinished"></translation>
+        <translation>La forma toca el borde de la fotografía ({0}): tome una que la muestre entera sobre un fondo liso.</translation>
     </message>
     <message>
         <source>The shape touches the {0} border of the picture; if it was cut off there, leave more margin.</source>
@@ -5719,6 +5759,10 @@
         <translation>La temperatura ({0}) de {1} grados Celsius está fuera de rango: indique por ejemplo 20C.</translation>
     </message>
     <message>
+        <source>The test card measures {0}, the bed of {1} {2}: try fewer values, or say with --bed how large it is.</source>
+        <translation>La tarjeta de prueba mide {0}, la mesa de {1} {2}: pruebe menos valores, o diga con --bed su tamaño.</translation>
+    </message>
+    <message>
         <source>The thickness of the balloon decides the width of its side band: give one of them.</source>
         <translation>El espesor del globo decide el ancho de su banda lateral: indique uno de los dos.</translation>
     </message>
@@ -5744,7 +5788,7 @@
     </message>
     <message>
         <source>The weld draws the seam inward by {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>La soldadura lleva la costura hacia dentro {0}</translation>
     </message>
     <message>
         <source>The width and the height must be more than 0.</source>
@@ -5812,7 +5856,7 @@
     </message>
     <message>
         <source>The {0} of a {1} must be from {2} to {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>El valor ({0}) de la herramienta ({1}) debe ser de {2} a {3}.</translation>
     </message>
     <message>
         <source>The {0} strays by {1} % in sample {2}, which leaves nothing of it: give a smaller spread.</source>
@@ -5841,6 +5885,10 @@
     <message>
         <source>There can be 1 to {0} copies, not {1}.</source>
         <translation>Puede haber de 1 a {0} copias, no {1}.</translation>
+    </message>
+    <message>
+        <source>There is a machine {0} of your own: give another --name, or delete its file.</source>
+        <translation>Ya hay una máquina propia {0}: dé otro --name, o borre su archivo.</translation>
     </message>
     <message>
         <source>There is advice about two equal panels only: of many, the warnings tell.</source>
@@ -6072,7 +6120,7 @@
     </message>
     <message>
         <source>This shape does not tell a stretch of the film from a weld that draws the seam inward: it is either a stretch of {0}, or a weld that draws it inward by {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Esta forma no distingue un estiramiento de la película de una soldadura que lleva la costura hacia dentro: es o bien un estiramiento de {0}, o bien una soldadura que la lleva hacia dentro {1}.</translation>
     </message>
     <message>
         <source>This shape stays flat: it holds {percent} of the air that a round balloon of as much film would. Fewer and wider parts make it rounder.</source>
@@ -6112,11 +6160,11 @@
     </message>
     <message>
         <source>Tool paths</source>
-        <translation type="unfinished"></translation>
+        <translation>Trayectorias de herramienta</translation>
     </message>
     <message>
         <source>Tool paths, no file</source>
-        <translation type="unfinished"></translation>
+        <translation>Trayectorias de herramienta, sin archivo</translation>
     </message>
     <message>
         <source>Tracing paper, 92 g/m²</source>
@@ -6219,6 +6267,10 @@
         <translation>Extremo superior</translation>
     </message>
     <message>
+        <source>Use it as --machine {0}; in FreeCAD it is among the machines.</source>
+        <translation>Úsela como --machine {0}; en FreeCAD está entre las máquinas.</translation>
+    </message>
+    <message>
         <source>Used</source>
         <translation>Usado</translation>
     </message>
@@ -6256,7 +6308,7 @@
     </message>
     <message>
         <source>Water column</source>
-        <translation type="unfinished"></translation>
+        <translation>Columna de agua</translation>
     </message>
     <message>
         <source>Weakest place</source>
@@ -6428,7 +6480,7 @@
     </message>
     <message>
         <source>With --scale {0} the size tells nothing of the film: give the photograph's scale to fit it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Con --scale {0} el tamaño no dice nada de la película: indique la escala de la fotografía para ajustarla.</translation>
     </message>
     <message>
         <source>With a side band the balloon of this drawing becomes {0} to {1} thick, not {2}. Choose a thickness between, or draw its parts wider or narrower.</source>
@@ -6664,11 +6716,11 @@
     </message>
     <message>
         <source>as made is larger</source>
-        <translation type="unfinished"></translation>
+        <translation>lo hecho es mayor</translation>
     </message>
     <message>
         <source>as made is smaller</source>
-        <translation type="unfinished"></translation>
+        <translation>lo hecho es menor</translation>
     </message>
     <message>
         <source>at most </source>
@@ -6676,7 +6728,7 @@
     </message>
     <message>
         <source>at most {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>como mucho {0}</translation>
     </message>
     <message>
         <source>at most {} ({})</source>
@@ -6739,6 +6791,10 @@
         <translation>error de corte</translation>
     </message>
     <message>
+        <source>depth</source>
+        <translation>profundidad</translation>
+    </message>
+    <message>
         <source>designing a balloon</source>
         <translation>diseñar un globo</translation>
     </message>
@@ -6755,6 +6811,10 @@
         <translation>marca dibujada</translation>
     </message>
     <message>
+        <source>dwell</source>
+        <translation>espera</translation>
+    </message>
+    <message>
         <source>edge {0} of {1}panel '{2}'</source>
         <translation>borde {0} del {1}panel «{2}»</translation>
     </message>
@@ -6767,8 +6827,12 @@
         <translation>vacío: </translation>
     </message>
     <message>
+        <source>feed</source>
+        <translation>avance</translation>
+    </message>
+    <message>
         <source>feed in corners</source>
-        <translation type="unfinished"></translation>
+        <translation>avance en las esquinas</translation>
     </message>
     <message>
         <source>fetch the native solver from the network, where the workbench came without it</source>
@@ -6792,7 +6856,7 @@
     </message>
     <message>
         <source>fitted to the photograph {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>ajustado a la fotografía {0}</translation>
     </message>
     <message>
         <source>fold</source>
@@ -6841,6 +6905,14 @@
     <message>
         <source>hole {0} of panel '{1}'</source>
         <translation>agujero {0} del panel «{1}»</translation>
+    </message>
+    <message>
+        <source>hot tip</source>
+        <translation>punta caliente</translation>
+    </message>
+    <message>
+        <source>hot wheel</source>
+        <translation>rueda caliente</translation>
     </message>
     <message>
         <source>hydrogen</source>
@@ -6935,16 +7007,28 @@
         <translation>sus puntos no tienen x, y y z.</translation>
     </message>
     <message>
+        <source>knife</source>
+        <translation>cuchilla</translation>
+    </message>
+    <message>
         <source>known of two equal panels alone</source>
         <translation>conocido solo de dos paneles iguales</translation>
     </message>
     <message>
+        <source>laser</source>
+        <translation>láser</translation>
+    </message>
+    <message>
         <source>layer {0} of the LightBurn project has two speeds or powers: give its roles one.</source>
-        <translation type="unfinished"></translation>
+        <translation>la capa {0} del proyecto de LightBurn tiene dos velocidades o potencias: dé a sus funciones una sola.</translation>
     </message>
     <message>
         <source>laying out, {0} so far</source>
         <translation>colocando, {0} hasta ahora</translation>
+    </message>
+    <message>
+        <source>lead-in</source>
+        <translation>entrada</translation>
     </message>
     <message>
         <source>left</source>
@@ -6965,6 +7049,10 @@
     <message>
         <source>lift</source>
         <translation>sustentación</translation>
+    </message>
+    <message>
+        <source>lift of the tool</source>
+        <translation>elevación de la herramienta</translation>
     </message>
     <message>
         <source>loose: {}</source>
@@ -6992,7 +7080,7 @@
     </message>
     <message>
         <source>min_power_percent of {0} is more than max_power_percent: exchange the two.</source>
-        <translation type="unfinished"></translation>
+        <translation>min_power_percent de {0} es mayor que max_power_percent: intercambie los dos.</translation>
     </message>
     <message>
         <source>more than</source>
@@ -7028,7 +7116,7 @@
     </message>
     <message>
         <source>nobody knows "{0}" of a tool: it may be one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>nadie conoce «{0}» de una herramienta: puede ser {1}.</translation>
     </message>
     <message>
         <source>nobody knows "{0}": it may be one of {1}.</source>
@@ -7044,7 +7132,7 @@
     </message>
     <message>
         <source>number for full power</source>
-        <translation type="unfinished"></translation>
+        <translation>número para la potencia máxima</translation>
     </message>
     <message>
         <source>opacity</source>
@@ -7064,11 +7152,15 @@
     </message>
     <message>
         <source>passes of {0} is {1}: give a whole number.</source>
-        <translation type="unfinished"></translation>
+        <translation>passes de {0} es {1}: indique un número entero.</translation>
     </message>
     <message>
         <source>place "{0}" is neither {1} nor {2}.</source>
         <translation>place «{0}» no es ni {1} ni {2}.</translation>
+    </message>
+    <message>
+        <source>power</source>
+        <translation>potencia</translation>
     </message>
     <message>
         <source>pressure</source>
@@ -7116,7 +7208,11 @@
     </message>
     <message>
         <source>speed of the spindle</source>
-        <translation type="unfinished"></translation>
+        <translation>velocidad del husillo</translation>
+    </message>
+    <message>
+        <source>spindle</source>
+        <translation>husillo</translation>
     </message>
     <message>
         <source>stale: </source>
@@ -7208,7 +7304,7 @@
     </message>
     <message>
         <source>the layer {0} lacks {1}: give speed and power together, or neither.</source>
-        <translation type="unfinished"></translation>
+        <translation>a la capa {0} le falta {1}: indique velocidad y potencia juntas, o ninguna.</translation>
     </message>
     <message>
         <source>the name "{0}" of the stock goes into file names: take letters a to z.</source>
@@ -7224,7 +7320,7 @@
     </message>
     <message>
         <source>the tool "{0}" is none of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>la herramienta «{0}» no es ninguna de {1}.</translation>
     </message>
     <message>
         <source>the weld rigidity lacks its source: write where it is from, or "assumed".</source>
@@ -7309,6 +7405,10 @@
     <message>
         <source>welding error</source>
         <translation>error de soldadura</translation>
+    </message>
+    <message>
+        <source>what came out</source>
+        <translation>lo que resultó</translation>
     </message>
     <message>
         <source>width</source>
@@ -7424,7 +7524,7 @@
     </message>
     <message>
         <source>{0} has a speed and a power, which only layers below {1} of a LightBurn project have: remove them.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} tiene velocidad y potencia, que en un proyecto de LightBurn solo tienen las capas por debajo de {1}: quítelas.</translation>
     </message>
     <message>
         <source>{0} has an error: repair it.</source>
@@ -7672,7 +7772,7 @@
     </message>
     <message>
         <source>{0} is {1}: give a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} es {1}: indique un número.</translation>
     </message>
     <message>
         <source>{0} is {1}: write true or false.</source>
@@ -7704,7 +7804,7 @@
     </message>
     <message>
         <source>{0} mm with an error of {1} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} mm con un error de {1} mm</translation>
     </message>
     <message>
         <source>{0} must never be cut with a laser: choose a machine with a knife.</source>
@@ -7759,6 +7859,10 @@
         <translation>{0} paneles se juntan en un punto que ninguna soldadura cierra: selle encima el casquete de la lámina, o péguelo con cinta.</translation>
     </message>
     <message>
+        <source>{0} reads no G-code: choose a machine that does.</source>
+        <translation>{0} no lee código G: elija una máquina que lo haga.</translation>
+    </message>
+    <message>
         <source>{0} reads {1}, which has no pages: choose paper.</source>
         <translation>{0} lee {1}, que no tiene páginas: elija papel.</translation>
     </message>
@@ -7804,7 +7908,7 @@
     </message>
     <message>
         <source>{0} turns a minute</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} vueltas por minuto</translation>
     </message>
     <message>
         <source>{0} was left out. {1}</source>
@@ -7824,7 +7928,7 @@
     </message>
     <message>
         <source>{0} with an error of {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} con un error de {1}</translation>
     </message>
     <message>
         <source>{0} with valve {1}</source>

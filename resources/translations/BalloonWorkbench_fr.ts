@@ -1079,6 +1079,10 @@
         <translation>« {0} » est illisible ({1}) : indiquez un fichier JSON de réglages.</translation>
     </message>
     <message>
+        <source>'{0}' cannot be the name of a machine: take small letters, digits and -.</source>
+        <translation>« {0} » ne peut pas être le nom d'une machine : prenez des minuscules, des chiffres et -.</translation>
+    </message>
+    <message>
         <source>'{0}' has a column twice.</source>
         <translation>« {0} » a deux fois la même colonne.</translation>
     </message>
@@ -1096,7 +1100,7 @@
     </message>
     <message>
         <source>'{0}' has no closed line: give the pattern as it was cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>« {0} » n'a pas de ligne fermée : donnez le patron tel qu'il a été coupé.</translation>
     </message>
     <message>
         <source>'{0}' has no panels of its own: give gores, or the width of a side band.</source>
@@ -1207,6 +1211,10 @@
         <translation>« {0} » n'est pas un tableau ({1}) : enregistrez-le en CSV.</translation>
     </message>
     <message>
+        <source>'{0}' is no test card: name the test-card.json that was made with it.</source>
+        <translation>« {0} » n'est pas une carte d'essai : nommez le test-card.json fait avec elle.</translation>
+    </message>
+    <message>
         <source>'{0}' is no text in UTF-8: save it as one.</source>
         <translation>« {0} » n'est pas un texte en UTF-8 : enregistrez-le ainsi.</translation>
     </message>
@@ -1308,7 +1316,7 @@
     </message>
     <message>
         <source>--rim is the width of the weld and of the film beside it: give 0 to 1 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>--rim est la largeur de la soudure et du film à côté : donnez de 0 à 1 m.</translation>
     </message>
     <message>
         <source>--target-volume and --target-lift decide the size: leave out --width and --height.</source>
@@ -1380,11 +1388,11 @@
     </message>
     <message>
         <source>A fitted film is written beside the numbers of a known one: give it by --material.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un film ajusté s'écrit à côté des nombres d'un film connu : donnez celui-ci par --material.</translation>
     </message>
     <message>
         <source>A flat panel has no pressure and no rim: leave out --fit, --rim and --uncorrected.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un panneau à plat n'a ni pression ni bord : omettez --fit, --rim et --uncorrected.</translation>
     </message>
     <message>
         <source>A goal has no '{0}': it has one of {1}, and {2}, {3} and {4}.</source>
@@ -1516,7 +1524,11 @@
     </message>
     <message>
         <source>A separating layer of PTFE gives off poisonous fumes above {0}: lay baking paper between tool and film, and air the room.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une couche de séparation en PTFE dégage des fumées toxiques au-dessus de {0} : posez du papier cuisson entre l'outil et le film, et aérez la pièce.</translation>
+    </message>
+    <message>
+        <source>A setting is tried with up to twelve values, each once.</source>
+        <translation>Un réglage est essayé avec douze valeurs au plus, chacune une fois.</translation>
     </message>
     <message>
         <source>A sketch with dimensions: change a cell of the spreadsheet, and all follows</source>
@@ -1547,8 +1559,16 @@
         <translation>Une étude de tolérances prend 1 à {0} échantillons, pas {1} : {2} en disent déjà long.</translation>
     </message>
     <message>
+        <source>A test card is for a machine, in a folder: give --machine and --out.</source>
+        <translation>Une carte d'essai est pour une machine, dans un dossier : donnez --machine et --out.</translation>
+    </message>
+    <message>
+        <source>A test card tries one or two settings: give several values of them, such as 200,300,400.</source>
+        <translation>Une carte d'essai essaie un ou deux réglages : donnez-en plusieurs valeurs, par exemple 200,300,400.</translation>
+    </message>
+    <message>
         <source>A tool is that of a machine that reads G-code: give --machine gcode-grbl or another.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un outil est celui d'une machine qui lit le G-code : donnez --machine gcode-grbl ou une autre.</translation>
     </message>
     <message>
         <source>A volume of {0} cannot be made: give one such as 10l.</source>
@@ -1724,11 +1744,11 @@
     </message>
     <message>
         <source>As made over what was expected</source>
-        <translation type="unfinished"></translation>
+        <translation>Le réalisé par-dessus l'attendu</translation>
     </message>
     <message>
         <source>As made: {0}, expected: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Réalisé : {0}, attendu : {1}</translation>
     </message>
     <message>
         <source>Assembly sheet</source>
@@ -1744,7 +1764,7 @@
     </message>
     <message>
         <source>At work the {0} is {1} above the film, and lifted {2} only: give it more depth, or a higher lift_mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Au travail, l'outil ({0}) est à {1} au-dessus du film, et levé à {2} seulement : donnez-lui plus de profondeur, ou un lift_mm plus grand.</translation>
     </message>
     <message>
         <source>At worst the film lies {0} on the wrong side of the body, and a margin of {1} was asked for. Take more panels, or a larger margin.</source>
@@ -1883,6 +1903,10 @@
         <translation>D'au moins</translation>
     </message>
     <message>
+        <source>Cannot read '{0}' ({1}): name the file of a test card.</source>
+        <translation>Impossible de lire « {0} » ({1}) : nommez le fichier d'une carte d'essai.</translation>
+    </message>
+    <message>
         <source>Cannot write to '{0}' ({1}): choose another folder for the study.</source>
         <translation>Impossible d'écrire dans « {0} » ({1}) : choisissez un autre dossier pour l'étude.</translation>
     </message>
@@ -2005,6 +2029,10 @@
     <message>
         <source>Colour map</source>
         <translation>Carte de couleurs</translation>
+    </message>
+    <message>
+        <source>Columns from the left: {0}</source>
+        <translation>Colonnes depuis la gauche : {0}</translation>
     </message>
     <message>
         <source>Coordinates really are inches, and the header says so.</source>
@@ -2256,7 +2284,7 @@
     </message>
     <message>
         <source>Farthest off near {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Écart maximal près de {0}</translation>
     </message>
     <message>
         <source>Farthest point</source>
@@ -2472,11 +2500,11 @@
     </message>
     <message>
         <source>G-code, and no other format, has a tool: give both or none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le G-code, et aucun autre format, a un outil : donnez les deux ou aucun.</translation>
     </message>
     <message>
         <source>GRBL machine (G-code)</source>
-        <translation type="unfinished"></translation>
+        <translation>Machine GRBL (G-code)</translation>
     </message>
     <message>
         <source>Gaps of up to {0} between lines were closed.</source>
@@ -2628,7 +2656,7 @@
     </message>
     <message>
         <source>Home, then set X0 Y0 at the lower left corner of the film and Z0 where the tip touches the layer over it (G92); nothing homes. Lay baking paper or PTFE between tip and film, tape the film flat.</source>
-        <translation type="unfinished"></translation>
+        <translation>Faites la prise d'origine, puis mettez X0 Y0 au coin inférieur gauche du film et Z0 où la pointe touche la couche posée dessus (G92) ; le fichier ne fait pas de prise d'origine. Posez du papier cuisson ou du PTFE entre la pointe et le film, fixez le film à plat au ruban adhésif.</translation>
     </message>
     <message>
         <source>Hours of welding, where they are known</source>
@@ -2968,7 +2996,7 @@
     </message>
     <message>
         <source>LinuxCNC machine (G-code)</source>
-        <translation type="unfinished"></translation>
+        <translation>Machine LinuxCNC (G-code)</translation>
     </message>
     <message>
         <source>Live</source>
@@ -3028,7 +3056,7 @@
     </message>
     <message>
         <source>Making tool paths</source>
-        <translation type="unfinished"></translation>
+        <translation>Création des parcours d'outil</translation>
     </message>
     <message>
         <source>Marks</source>
@@ -3036,7 +3064,7 @@
     </message>
     <message>
         <source>Marlin printer (G-code)</source>
-        <translation type="unfinished"></translation>
+        <translation>Imprimante Marlin (G-code)</translation>
     </message>
     <message>
         <source>Material</source>
@@ -3232,7 +3260,7 @@
     </message>
     <message>
         <source>No shape in the photograph is like the one that was expected: take it straight from the front, on a plain background without anything else in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucune forme de la photo ne ressemble à celle qui était attendue : prenez-la bien de face, sur un fond uni, sans rien d'autre dedans.</translation>
     </message>
     <message>
         <source>No shape stands out in the picture. Use stronger colours or a plainer background.</source>
@@ -3256,7 +3284,7 @@
     </message>
     <message>
         <source>No speed and power are known for {0}, so none are written: set them in LightBurn, or give speed_mm_s and max_power_percent in a file of your machine.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vitesse et puissance ne sont pas connues pour {0}, aucune n'est donc écrite : réglez-les dans LightBurn, ou donnez speed_mm_s et max_power_percent dans un fichier de votre machine.</translation>
     </message>
     <message>
         <source>No triangle of the mesh has an area. Save the body as a mesh of triangles.</source>
@@ -3272,7 +3300,7 @@
     </message>
     <message>
         <source>Nobody but you knows the {0} of your {1} for this film: give {2}, or {3} of the tool in a machine file of your own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Personne d'autre que vous ne connaît {0} pour ce film ({1}) : donnez {2}, ou {3} de l'outil dans votre propre fichier de machine.</translation>
     </message>
     <message>
         <source>None</source>
@@ -3288,7 +3316,7 @@
     </message>
     <message>
         <source>Not all holes are seen in the photograph: those that are not count as wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tous les trous ne se voient pas sur la photo : ceux qui ne se voient pas comptent comme faux.</translation>
     </message>
     <message>
         <source>Not possible</source>
@@ -3367,6 +3395,10 @@
         <translation>OK, puis {}</translation>
     </message>
     <message>
+        <source>Of a card one field is kept: give --keep B3, or another one, and --name.</source>
+        <translation>D'une carte on garde un champ : donnez --keep B3, ou un autre, et --name.</translation>
+    </message>
+    <message>
         <source>Of the bodies of the mesh only the largest is made; all in all there are: {0}.</source>
         <translation>Des corps du maillage, seul le plus grand est fait ; en tout il y en a : {0}.</translation>
     </message>
@@ -3440,7 +3472,7 @@
     </message>
     <message>
         <source>Only balloons of two equal panels are compared with a photograph: compare the panels of others one by one with --flat.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seuls les ballons de deux panneaux égaux sont comparés à une photo : comparez les panneaux des autres un par un avec --flat.</translation>
     </message>
     <message>
         <source>Only grades of this film with a sealing layer weld: try scraps before you cut.</source>
@@ -3896,7 +3928,7 @@
     </message>
     <message>
         <source>Put the same moves into the document, as objects of FreeCAD's workbench Path (CAM since 1.0), which can simulate them and write them with its post processors</source>
-        <translation type="unfinished"></translation>
+        <translation>Placer les mêmes mouvements dans le document, comme objets de l'atelier Path de FreeCAD (CAM depuis 1.0), qui peut les simuler et les écrire avec ses post-processeurs</translation>
     </message>
     <message>
         <source>RDWorks (Ruida laser)</source>
@@ -3985,6 +4017,10 @@
     <message>
         <source>Row {0}: {1}</source>
         <translation>Ligne {0} : {1}</translation>
+    </message>
+    <message>
+        <source>Rows from below: {0}</source>
+        <translation>Rangées depuis le bas : {0}</translation>
     </message>
     <message>
         <source>Rows: {0}, of these make no sense: {1}</source>
@@ -4256,11 +4292,11 @@
     </message>
     <message>
         <source>Set X0 Y0 at the lower left corner of the film, and Z0 where the tool touches it; nothing homes. A laser wants laser mode, $32=1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mettez X0 Y0 au coin inférieur gauche du film, et Z0 où l'outil le touche ; le fichier ne fait pas de prise d'origine. Un laser demande le mode laser, $32=1.</translation>
     </message>
     <message>
         <source>Set X0 Y0 at the lower left corner of the film, and Z0 where the tool touches it; nothing homes. For a swivel knife set its offset in a machine file of your own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mettez X0 Y0 au coin inférieur gauche du film, et Z0 où l'outil le touche ; le fichier ne fait pas de prise d'origine. Pour une lame pivotante, réglez son décalage dans votre propre fichier de machine.</translation>
     </message>
     <message>
         <source>Set the opening</source>
@@ -4268,7 +4304,7 @@
     </message>
     <message>
         <source>Shadows on the background were taken off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les ombres sur le fond ont été enlevées.</translation>
     </message>
     <message>
         <source>Shape that stays flat</source>
@@ -4412,7 +4448,7 @@
     </message>
     <message>
         <source>Stretch of the film: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Étirement du film : {0}</translation>
     </message>
     <message>
         <source>Strips</source>
@@ -4728,7 +4764,7 @@
     </message>
     <message>
         <source>The balloon has parts too thin to fit the film with: use a wider shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le ballon a des parties trop minces pour y ajuster le film : prenez une forme plus large.</translation>
     </message>
     <message>
         <source>The balloon is not near rest. Inflate it anew.</source>
@@ -4801,6 +4837,10 @@
     <message>
         <source>The caps are too large for the ball. Choose a smaller diameter for them.</source>
         <translation>Les calottes sont trop grandes pour la balle. Choisissez-leur un diamètre plus petit.</translation>
+    </message>
+    <message>
+        <source>The card has no field {0}: choose one of {1}.</source>
+        <translation>La carte n'a pas de champ {0} : choisissez parmi {1}.</translation>
     </message>
     <message>
         <source>The cluster cannot be made ({0}): check the file that --cluster names.</source>
@@ -5080,7 +5120,7 @@
     </message>
     <message>
         <source>The intake was left out of the comparison.</source>
-        <translation type="unfinished"></translation>
+        <translation>L'embout a été laissé hors de la comparaison.</translation>
     </message>
     <message>
         <source>The intake would run into another part of the balloon: choose another angle or length for it.</source>
@@ -5152,7 +5192,7 @@
     </message>
     <message>
         <source>The lines make up for a kerf of {0} already: leave LightBurn's kerf offset at 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les lignes compensent déjà un trait de coupe de {0} : laissez à 0 le décalage du trait de coupe (kerf) de LightBurn.</translation>
     </message>
     <message>
         <source>The lines of the drawing do not close around anything: the outline follows the lines.</source>
@@ -5348,11 +5388,11 @@
     </message>
     <message>
         <source>The photograph shows the back: it was mirrored.</source>
-        <translation type="unfinished"></translation>
+        <translation>La photo montre le dos : elle a été mise en miroir.</translation>
     </message>
     <message>
         <source>The photograph shows too many shapes: take one of the balloon alone, on a plain background.</source>
-        <translation type="unfinished"></translation>
+        <translation>La photo montre trop de formes : prenez-en une du ballon seul, sur un fond uni.</translation>
     </message>
     <message>
         <source>The picture has a single colour. Choose one that shows a shape on a background.</source>
@@ -5480,11 +5520,11 @@
     </message>
     <message>
         <source>The scale '{0}' cannot be used: {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>L'échelle « {0} » est inutilisable : {1}.</translation>
     </message>
     <message>
         <source>The scale of {0} over {1} pixels has no length: mark two points that are far apart, and give the distance between them.</source>
-        <translation type="unfinished"></translation>
+        <translation>L'échelle de {0} sur {1} pixels n'a pas de longueur : marquez deux points éloignés l'un de l'autre, et donnez la distance entre eux.</translation>
     </message>
     <message>
         <source>The scheduler of Dask went away: start it and the study again; nothing is lost.</source>
@@ -5544,11 +5584,11 @@
     </message>
     <message>
         <source>The shape has the colour of a shadow: shadows on the background count as part of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>La forme a la couleur d'une ombre : les ombres sur le fond comptent comme en faisant partie.</translation>
     </message>
     <message>
         <source>The shape in the photograph measures {0}, {1} were expected: check the scale, or whether it is the right photograph.</source>
-        <translation type="unfinished"></translation>
+        <translation>La forme de la photo mesure {0}, {1} étaient attendus : vérifiez l'échelle, ou si c'est la bonne photo.</translation>
     </message>
     <message>
         <source>The shape in the picture is too frayed to trace. Use a clearer picture.</source>
@@ -5560,7 +5600,7 @@
     </message>
     <message>
         <source>The shape touches the {0} border of the photograph: take one that shows all of it on a plain background.</source>
-        <translation type="unfinished"></translation>
+        <translation>La forme touche le bord de la photo ({0}) : prenez-en une qui la montre tout entière, sur un fond uni.</translation>
     </message>
     <message>
         <source>The shape touches the {0} border of the picture; if it was cut off there, leave more margin.</source>
@@ -5719,6 +5759,10 @@
         <translation>La température ({0}) de {1} degrés Celsius est hors limites : donnez par exemple 20C.</translation>
     </message>
     <message>
+        <source>The test card measures {0}, the bed of {1} {2}: try fewer values, or say with --bed how large it is.</source>
+        <translation>La carte d'essai mesure {0}, le plateau de {1} {2} : essayez moins de valeurs, ou dites avec --bed quelle est sa taille.</translation>
+    </message>
+    <message>
         <source>The thickness of the balloon decides the width of its side band: give one of them.</source>
         <translation>L'épaisseur du ballon décide de la largeur de sa bande latérale : donnez l'une des deux.</translation>
     </message>
@@ -5744,7 +5788,7 @@
     </message>
     <message>
         <source>The weld draws the seam inward by {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>La soudure tire la couture vers l'intérieur, de {0}</translation>
     </message>
     <message>
         <source>The width and the height must be more than 0.</source>
@@ -5812,7 +5856,7 @@
     </message>
     <message>
         <source>The {0} of a {1} must be from {2} to {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pour {1}, {0} doit être de {2} à {3}.</translation>
     </message>
     <message>
         <source>The {0} strays by {1} % in sample {2}, which leaves nothing of it: give a smaller spread.</source>
@@ -5841,6 +5885,10 @@
     <message>
         <source>There can be 1 to {0} copies, not {1}.</source>
         <translation>Il peut y avoir de 1 à {0} copies, pas {1}.</translation>
+    </message>
+    <message>
+        <source>There is a machine {0} of your own: give another --name, or delete its file.</source>
+        <translation>Il y a déjà une machine {0} à vous : donnez un autre --name, ou supprimez son fichier.</translation>
     </message>
     <message>
         <source>There is advice about two equal panels only: of many, the warnings tell.</source>
@@ -6072,7 +6120,7 @@
     </message>
     <message>
         <source>This shape does not tell a stretch of the film from a weld that draws the seam inward: it is either a stretch of {0}, or a weld that draws it inward by {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cette forme ne distingue pas un étirement du film d'une soudure qui tire la couture vers l'intérieur : c'est soit un étirement de {0}, soit une soudure qui la tire vers l'intérieur, de {1}.</translation>
     </message>
     <message>
         <source>This shape stays flat: it holds {percent} of the air that a round balloon of as much film would. Fewer and wider parts make it rounder.</source>
@@ -6112,11 +6160,11 @@
     </message>
     <message>
         <source>Tool paths</source>
-        <translation type="unfinished"></translation>
+        <translation>Parcours d'outil</translation>
     </message>
     <message>
         <source>Tool paths, no file</source>
-        <translation type="unfinished"></translation>
+        <translation>Parcours d'outil, pas de fichier</translation>
     </message>
     <message>
         <source>Tracing paper, 92 g/m²</source>
@@ -6219,6 +6267,10 @@
         <translation>Extrémité haute</translation>
     </message>
     <message>
+        <source>Use it as --machine {0}; in FreeCAD it is among the machines.</source>
+        <translation>Utilisez-la avec --machine {0} ; dans FreeCAD elle est parmi les machines.</translation>
+    </message>
+    <message>
         <source>Used</source>
         <translation>Utilisé</translation>
     </message>
@@ -6256,7 +6308,7 @@
     </message>
     <message>
         <source>Water column</source>
-        <translation type="unfinished"></translation>
+        <translation>Colonne d'eau</translation>
     </message>
     <message>
         <source>Weakest place</source>
@@ -6428,7 +6480,7 @@
     </message>
     <message>
         <source>With --scale {0} the size tells nothing of the film: give the photograph's scale to fit it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Avec --scale {0}, la taille ne dit rien du film : donnez l'échelle de la photo pour l'ajuster.</translation>
     </message>
     <message>
         <source>With a side band the balloon of this drawing becomes {0} to {1} thick, not {2}. Choose a thickness between, or draw its parts wider or narrower.</source>
@@ -6664,11 +6716,11 @@
     </message>
     <message>
         <source>as made is larger</source>
-        <translation type="unfinished"></translation>
+        <translation>réalisé plus grand</translation>
     </message>
     <message>
         <source>as made is smaller</source>
-        <translation type="unfinished"></translation>
+        <translation>réalisé plus petit</translation>
     </message>
     <message>
         <source>at most </source>
@@ -6676,7 +6728,7 @@
     </message>
     <message>
         <source>at most {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>au plus {0}</translation>
     </message>
     <message>
         <source>at most {} ({})</source>
@@ -6739,6 +6791,10 @@
         <translation>erreur de coupe</translation>
     </message>
     <message>
+        <source>depth</source>
+        <translation>profondeur</translation>
+    </message>
+    <message>
         <source>designing a balloon</source>
         <translation>conception d'un ballon</translation>
     </message>
@@ -6755,6 +6811,10 @@
         <translation>repère tracé</translation>
     </message>
     <message>
+        <source>dwell</source>
+        <translation>temporisation</translation>
+    </message>
+    <message>
         <source>edge {0} of {1}panel '{2}'</source>
         <translation>bord {0} du {1}panneau « {2} »</translation>
     </message>
@@ -6767,8 +6827,12 @@
         <translation>vide : </translation>
     </message>
     <message>
+        <source>feed</source>
+        <translation>avance</translation>
+    </message>
+    <message>
         <source>feed in corners</source>
-        <translation type="unfinished"></translation>
+        <translation>avance dans les coins</translation>
     </message>
     <message>
         <source>fetch the native solver from the network, where the workbench came without it</source>
@@ -6792,7 +6856,7 @@
     </message>
     <message>
         <source>fitted to the photograph {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>ajusté à la photo {0}</translation>
     </message>
     <message>
         <source>fold</source>
@@ -6841,6 +6905,14 @@
     <message>
         <source>hole {0} of panel '{1}'</source>
         <translation>trou {0} du panneau « {1} »</translation>
+    </message>
+    <message>
+        <source>hot tip</source>
+        <translation>pointe chaude</translation>
+    </message>
+    <message>
+        <source>hot wheel</source>
+        <translation>roue chaude</translation>
     </message>
     <message>
         <source>hydrogen</source>
@@ -6935,16 +7007,28 @@
         <translation>ses points n'ont pas de x, y et z.</translation>
     </message>
     <message>
+        <source>knife</source>
+        <translation>lame</translation>
+    </message>
+    <message>
         <source>known of two equal panels alone</source>
         <translation>connu pour deux panneaux égaux seulement</translation>
     </message>
     <message>
+        <source>laser</source>
+        <translation>laser</translation>
+    </message>
+    <message>
         <source>layer {0} of the LightBurn project has two speeds or powers: give its roles one.</source>
-        <translation type="unfinished"></translation>
+        <translation>le calque {0} du projet LightBurn a deux vitesses ou puissances : donnez-en une seule à ses rôles.</translation>
     </message>
     <message>
         <source>laying out, {0} so far</source>
         <translation>disposition, {0} jusqu'ici</translation>
+    </message>
+    <message>
+        <source>lead-in</source>
+        <translation>entrée</translation>
     </message>
     <message>
         <source>left</source>
@@ -6965,6 +7049,10 @@
     <message>
         <source>lift</source>
         <translation>portance</translation>
+    </message>
+    <message>
+        <source>lift of the tool</source>
+        <translation>levée de l'outil</translation>
     </message>
     <message>
         <source>loose: {}</source>
@@ -6992,7 +7080,7 @@
     </message>
     <message>
         <source>min_power_percent of {0} is more than max_power_percent: exchange the two.</source>
-        <translation type="unfinished"></translation>
+        <translation>min_power_percent de {0} est plus que max_power_percent : échangez les deux.</translation>
     </message>
     <message>
         <source>more than</source>
@@ -7028,7 +7116,7 @@
     </message>
     <message>
         <source>nobody knows "{0}" of a tool: it may be one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>personne ne connaît « {0} » d'un outil : ce peut être {1}.</translation>
     </message>
     <message>
         <source>nobody knows "{0}": it may be one of {1}.</source>
@@ -7044,7 +7132,7 @@
     </message>
     <message>
         <source>number for full power</source>
-        <translation type="unfinished"></translation>
+        <translation>nombre pour la pleine puissance</translation>
     </message>
     <message>
         <source>opacity</source>
@@ -7064,11 +7152,15 @@
     </message>
     <message>
         <source>passes of {0} is {1}: give a whole number.</source>
-        <translation type="unfinished"></translation>
+        <translation>passes de {0} est {1} : donnez un nombre entier.</translation>
     </message>
     <message>
         <source>place "{0}" is neither {1} nor {2}.</source>
         <translation>place « {0} » n'est ni {1} ni {2}.</translation>
+    </message>
+    <message>
+        <source>power</source>
+        <translation>puissance</translation>
     </message>
     <message>
         <source>pressure</source>
@@ -7116,7 +7208,11 @@
     </message>
     <message>
         <source>speed of the spindle</source>
-        <translation type="unfinished"></translation>
+        <translation>vitesse de la broche</translation>
+    </message>
+    <message>
+        <source>spindle</source>
+        <translation>broche</translation>
     </message>
     <message>
         <source>stale: </source>
@@ -7208,7 +7304,7 @@
     </message>
     <message>
         <source>the layer {0} lacks {1}: give speed and power together, or neither.</source>
-        <translation type="unfinished"></translation>
+        <translation>il manque {1} au calque {0} : donnez vitesse et puissance ensemble, ou aucune des deux.</translation>
     </message>
     <message>
         <source>the name "{0}" of the stock goes into file names: take letters a to z.</source>
@@ -7224,7 +7320,7 @@
     </message>
     <message>
         <source>the tool "{0}" is none of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>l'outil « {0} » n'est aucun de {1}.</translation>
     </message>
     <message>
         <source>the weld rigidity lacks its source: write where it is from, or "assumed".</source>
@@ -7309,6 +7405,10 @@
     <message>
         <source>welding error</source>
         <translation>erreur de soudage</translation>
+    </message>
+    <message>
+        <source>what came out</source>
+        <translation>ce qui en est sorti</translation>
     </message>
     <message>
         <source>width</source>
@@ -7424,7 +7524,7 @@
     </message>
     <message>
         <source>{0} has a speed and a power, which only layers below {1} of a LightBurn project have: remove them.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} a une vitesse et une puissance, que seuls ont les calques au-dessous de {1} d'un projet LightBurn : retirez-les.</translation>
     </message>
     <message>
         <source>{0} has an error: repair it.</source>
@@ -7672,7 +7772,7 @@
     </message>
     <message>
         <source>{0} is {1}: give a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} est {1} : donnez un nombre.</translation>
     </message>
     <message>
         <source>{0} is {1}: write true or false.</source>
@@ -7704,7 +7804,7 @@
     </message>
     <message>
         <source>{0} mm with an error of {1} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} mm avec une erreur de {1} mm</translation>
     </message>
     <message>
         <source>{0} must never be cut with a laser: choose a machine with a knife.</source>
@@ -7759,6 +7859,10 @@
         <translation>{0} panneaux se rejoignent en un point qu'aucune soudure ne ferme : soudez-y la calotte de la feuille, ou scotchez-le.</translation>
     </message>
     <message>
+        <source>{0} reads no G-code: choose a machine that does.</source>
+        <translation>{0} ne lit pas le G-code : choisissez une machine qui le fait.</translation>
+    </message>
+    <message>
         <source>{0} reads {1}, which has no pages: choose paper.</source>
         <translation>{0} lit {1}, qui n'a pas de pages : choisissez le papier.</translation>
     </message>
@@ -7804,7 +7908,7 @@
     </message>
     <message>
         <source>{0} turns a minute</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} tours par minute</translation>
     </message>
     <message>
         <source>{0} was left out. {1}</source>
@@ -7824,7 +7928,7 @@
     </message>
     <message>
         <source>{0} with an error of {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} avec une erreur de {1}</translation>
     </message>
     <message>
         <source>{0} with valve {1}</source>

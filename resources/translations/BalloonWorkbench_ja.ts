@@ -1079,6 +1079,10 @@
         <translation>「{0}」を読み取れません（{1}）。設定の JSON ファイルを指定してください。</translation>
     </message>
     <message>
+        <source>'{0}' cannot be the name of a machine: take small letters, digits and -.</source>
+        <translation>'{0}' は機械の名前にできません: 小文字と数字と - を使ってください。</translation>
+    </message>
+    <message>
         <source>'{0}' has a column twice.</source>
         <translation>「{0}」に同じ列が 2 つあります。</translation>
     </message>
@@ -1096,7 +1100,7 @@
     </message>
     <message>
         <source>'{0}' has no closed line: give the pattern as it was cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>「{0}」に閉じた線がありません。切ったときの型紙を渡してください。</translation>
     </message>
     <message>
         <source>'{0}' has no panels of its own: give gores, or the width of a side band.</source>
@@ -1207,6 +1211,10 @@
         <translation>「{0}」は表ではありません（{1}）。CSV で保存してください。</translation>
     </message>
     <message>
+        <source>'{0}' is no test card: name the test-card.json that was made with it.</source>
+        <translation>'{0}' はテストカードではありません: 一緒に作られた test-card.json を指定してください。</translation>
+    </message>
+    <message>
         <source>'{0}' is no text in UTF-8: save it as one.</source>
         <translation>「{0}」は UTF-8 のテキストではありません。UTF-8 で保存してください。</translation>
     </message>
@@ -1308,7 +1316,7 @@
     </message>
     <message>
         <source>--rim is the width of the weld and of the film beside it: give 0 to 1 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>--rim は溶着線とその外側のフィルムを合わせた幅です。0～1 m にしてください。</translation>
     </message>
     <message>
         <source>--target-volume and --target-lift decide the size: leave out --width and --height.</source>
@@ -1380,11 +1388,11 @@
     </message>
     <message>
         <source>A fitted film is written beside the numbers of a known one: give it by --material.</source>
-        <translation type="unfinished"></translation>
+        <translation>合わせたフィルムは、既知のフィルムの数値とともに書き出します。そのフィルムを --material で指定してください。</translation>
     </message>
     <message>
         <source>A flat panel has no pressure and no rim: leave out --fit, --rim and --uncorrected.</source>
-        <translation type="unfinished"></translation>
+        <translation>平らなパネルには圧力も縁もありません。--fit、--rim、--uncorrected を外してください。</translation>
     </message>
     <message>
         <source>A goal has no '{0}': it has one of {1}, and {2}, {3} and {4}.</source>
@@ -1516,7 +1524,11 @@
     </message>
     <message>
         <source>A separating layer of PTFE gives off poisonous fumes above {0}: lay baking paper between tool and film, and air the room.</source>
-        <translation type="unfinished"></translation>
+        <translation>間にはさむ PTFE は {0} を超えると有毒な煙を出します。工具とフィルムの間にはクッキングシートを敷き、部屋を換気してください。</translation>
+    </message>
+    <message>
+        <source>A setting is tried with up to twelve values, each once.</source>
+        <translation>一つの設定は最大 12 個の値で、それぞれ一度だけ試します。</translation>
     </message>
     <message>
         <source>A sketch with dimensions: change a cell of the spreadsheet, and all follows</source>
@@ -1547,8 +1559,16 @@
         <translation>公差のスタディのサンプルは {1} ではなく、1 から {0} までです。{2} で十分に分かります。</translation>
     </message>
     <message>
+        <source>A test card is for a machine, in a folder: give --machine and --out.</source>
+        <translation>テストカードには機械とフォルダーが必要です: --machine と --out を指定してください。</translation>
+    </message>
+    <message>
+        <source>A test card tries one or two settings: give several values of them, such as 200,300,400.</source>
+        <translation>テストカードは一つか二つの設定を試します: 200,300,400 のように複数の値を指定してください。</translation>
+    </message>
+    <message>
         <source>A tool is that of a machine that reads G-code: give --machine gcode-grbl or another.</source>
-        <translation type="unfinished"></translation>
+        <translation>工具は G コードを読む機械のものです。--machine gcode-grbl などを指定してください。</translation>
     </message>
     <message>
         <source>A volume of {0} cannot be made: give one such as 10l.</source>
@@ -1724,11 +1744,11 @@
     </message>
     <message>
         <source>As made over what was expected</source>
-        <translation type="unfinished"></translation>
+        <translation>実物と予想の重ね合わせ</translation>
     </message>
     <message>
         <source>As made: {0}, expected: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>実物：{0}、予想：{1}</translation>
     </message>
     <message>
         <source>Assembly sheet</source>
@@ -1744,7 +1764,7 @@
     </message>
     <message>
         <source>At work the {0} is {1} above the film, and lifted {2} only: give it more depth, or a higher lift_mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>作業中の工具（{0}）はフィルムの {1} 上にあり、上げた高さは {2} しかありません。深さを増やすか、lift_mm を大きくしてください。</translation>
     </message>
     <message>
         <source>At worst the film lies {0} on the wrong side of the body, and a margin of {1} was asked for. Take more panels, or a larger margin.</source>
@@ -1883,6 +1903,10 @@
         <translation>最小の間隔</translation>
     </message>
     <message>
+        <source>Cannot read '{0}' ({1}): name the file of a test card.</source>
+        <translation>'{0}' を読み込めません ({1}): テストカードのファイルを指定してください。</translation>
+    </message>
+    <message>
         <source>Cannot write to '{0}' ({1}): choose another folder for the study.</source>
         <translation>「{0}」に書き込めません（{1}）。スタディには別のフォルダーを選んでください。</translation>
     </message>
@@ -2005,6 +2029,10 @@
     <message>
         <source>Colour map</source>
         <translation>カラーマップ</translation>
+    </message>
+    <message>
+        <source>Columns from the left: {0}</source>
+        <translation>左からの列: {0}</translation>
     </message>
     <message>
         <source>Coordinates really are inches, and the header says so.</source>
@@ -2256,7 +2284,7 @@
     </message>
     <message>
         <source>Farthest off near {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>最も離れている所：{0} 付近</translation>
     </message>
     <message>
         <source>Farthest point</source>
@@ -2472,11 +2500,11 @@
     </message>
     <message>
         <source>G-code, and no other format, has a tool: give both or none.</source>
-        <translation type="unfinished"></translation>
+        <translation>工具があるのは G コードだけで、ほかの形式にはありません。両方とも指定するか、両方とも外してください。</translation>
     </message>
     <message>
         <source>GRBL machine (G-code)</source>
-        <translation type="unfinished"></translation>
+        <translation>GRBL の機械（G コード）</translation>
     </message>
     <message>
         <source>Gaps of up to {0} between lines were closed.</source>
@@ -2628,7 +2656,7 @@
     </message>
     <message>
         <source>Home, then set X0 Y0 at the lower left corner of the film and Z0 where the tip touches the layer over it (G92); nothing homes. Lay baking paper or PTFE between tip and film, tape the film flat.</source>
-        <translation type="unfinished"></translation>
+        <translation>原点復帰をしてから、フィルムの左下の角を X0 Y0、こて先がフィルムの上の敷き物に触れる高さを Z0 にしてください（G92）。ファイルは原点復帰をしません。こて先とフィルムの間にクッキングシートか PTFE を敷き、フィルムを平らにしてテープで留めてください。</translation>
     </message>
     <message>
         <source>Hours of welding, where they are known</source>
@@ -2968,7 +2996,7 @@
     </message>
     <message>
         <source>LinuxCNC machine (G-code)</source>
-        <translation type="unfinished"></translation>
+        <translation>LinuxCNC の機械（G コード）</translation>
     </message>
     <message>
         <source>Live</source>
@@ -3028,7 +3056,7 @@
     </message>
     <message>
         <source>Making tool paths</source>
-        <translation type="unfinished"></translation>
+        <translation>ツールパスを作っています</translation>
     </message>
     <message>
         <source>Marks</source>
@@ -3036,7 +3064,7 @@
     </message>
     <message>
         <source>Marlin printer (G-code)</source>
-        <translation type="unfinished"></translation>
+        <translation>Marlin の 3D プリンター（G コード）</translation>
     </message>
     <message>
         <source>Material</source>
@@ -3232,7 +3260,7 @@
     </message>
     <message>
         <source>No shape in the photograph is like the one that was expected: take it straight from the front, on a plain background without anything else in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>写真の中に予想した形に似たものがありません。無地の背景で、ほかのものを入れずに、真正面から撮ってください。</translation>
     </message>
     <message>
         <source>No shape stands out in the picture. Use stronger colours or a plainer background.</source>
@@ -3256,7 +3284,7 @@
     </message>
     <message>
         <source>No speed and power are known for {0}, so none are written: set them in LightBurn, or give speed_mm_s and max_power_percent in a file of your machine.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} の速度と出力が分からないため、書き出しません。LightBurn で設定するか、自分の機械のファイルに speed_mm_s と max_power_percent を書いてください。</translation>
     </message>
     <message>
         <source>No triangle of the mesh has an area. Save the body as a mesh of triangles.</source>
@@ -3272,7 +3300,7 @@
     </message>
     <message>
         <source>Nobody but you knows the {0} of your {1} for this film: give {2}, or {3} of the tool in a machine file of your own.</source>
-        <translation type="unfinished"></translation>
+        <translation>このフィルムに使う工具（{1}）の値（{0}）は、使う人にしか分かりません。{2} と指定するか、自分の機械のファイルの工具に {3} を書いてください。</translation>
     </message>
     <message>
         <source>None</source>
@@ -3288,7 +3316,7 @@
     </message>
     <message>
         <source>Not all holes are seen in the photograph: those that are not count as wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>写真に写っていない穴があります。写っていない穴は違いとして数えます。</translation>
     </message>
     <message>
         <source>Not possible</source>
@@ -3367,6 +3395,10 @@
         <translation>OK のあと {}</translation>
     </message>
     <message>
+        <source>Of a card one field is kept: give --keep B3, or another one, and --name.</source>
+        <translation>カードからは一つの欄を残します: --keep B3 などと --name を指定してください。</translation>
+    </message>
+    <message>
         <source>Of the bodies of the mesh only the largest is made; all in all there are: {0}.</source>
         <translation>メッシュの立体のうち、最大のものだけを作ります。全部の数：{0}。</translation>
     </message>
@@ -3440,7 +3472,7 @@
     </message>
     <message>
         <source>Only balloons of two equal panels are compared with a photograph: compare the panels of others one by one with --flat.</source>
-        <translation type="unfinished"></translation>
+        <translation>写真と比べられるのは同じ 2 枚のパネルの風船だけです。ほかの風船は --flat でパネルを 1 枚ずつ比べてください。</translation>
     </message>
     <message>
         <source>Only grades of this film with a sealing layer weld: try scraps before you cut.</source>
@@ -3896,7 +3928,7 @@
     </message>
     <message>
         <source>Put the same moves into the document, as objects of FreeCAD's workbench Path (CAM since 1.0), which can simulate them and write them with its post processors</source>
-        <translation type="unfinished"></translation>
+        <translation>同じ動きを、FreeCAD の Path ワークベンチ（1.0 からは CAM）のオブジェクトとして文書に入れる。そこでシミュレーションや、ポストプロセッサーでの書き出しができる</translation>
     </message>
     <message>
         <source>RDWorks (Ruida laser)</source>
@@ -3985,6 +4017,10 @@
     <message>
         <source>Row {0}: {1}</source>
         <translation>{0} 行：{1}</translation>
+    </message>
+    <message>
+        <source>Rows from below: {0}</source>
+        <translation>下からの行: {0}</translation>
     </message>
     <message>
         <source>Rows: {0}, of these make no sense: {1}</source>
@@ -4256,11 +4292,11 @@
     </message>
     <message>
         <source>Set X0 Y0 at the lower left corner of the film, and Z0 where the tool touches it; nothing homes. A laser wants laser mode, $32=1.</source>
-        <translation type="unfinished"></translation>
+        <translation>フィルムの左下の角を X0 Y0、工具がフィルムに触れる高さを Z0 にしてください。ファイルは原点復帰をしません。レーザーではレーザーモード（$32=1）にしてください。</translation>
     </message>
     <message>
         <source>Set X0 Y0 at the lower left corner of the film, and Z0 where the tool touches it; nothing homes. For a swivel knife set its offset in a machine file of your own.</source>
-        <translation type="unfinished"></translation>
+        <translation>フィルムの左下の角を X0 Y0、工具がフィルムに触れる高さを Z0 にしてください。ファイルは原点復帰をしません。回転刃では、自分の機械のファイルでオフセットを設定してください。</translation>
     </message>
     <message>
         <source>Set the opening</source>
@@ -4268,7 +4304,7 @@
     </message>
     <message>
         <source>Shadows on the background were taken off.</source>
-        <translation type="unfinished"></translation>
+        <translation>背景の影を取り除きました。</translation>
     </message>
     <message>
         <source>Shape that stays flat</source>
@@ -4412,7 +4448,7 @@
     </message>
     <message>
         <source>Stretch of the film: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>フィルムの伸び：{0}</translation>
     </message>
     <message>
         <source>Strips</source>
@@ -4728,7 +4764,7 @@
     </message>
     <message>
         <source>The balloon has parts too thin to fit the film with: use a wider shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>風船に、フィルムを合わせるには細すぎる部分があります。もっと幅の広い形を使ってください。</translation>
     </message>
     <message>
         <source>The balloon is not near rest. Inflate it anew.</source>
@@ -4801,6 +4837,10 @@
     <message>
         <source>The caps are too large for the ball. Choose a smaller diameter for them.</source>
         <translation>ボールに対してキャップが大きすぎます。直径を小さくしてください。</translation>
+    </message>
+    <message>
+        <source>The card has no field {0}: choose one of {1}.</source>
+        <translation>カードに欄 {0} はありません: {1} から選んでください。</translation>
     </message>
     <message>
         <source>The cluster cannot be made ({0}): check the file that --cluster names.</source>
@@ -5080,7 +5120,7 @@
     </message>
     <message>
         <source>The intake was left out of the comparison.</source>
-        <translation type="unfinished"></translation>
+        <translation>注入口は比較から省きました。</translation>
     </message>
     <message>
         <source>The intake would run into another part of the balloon: choose another angle or length for it.</source>
@@ -5152,7 +5192,7 @@
     </message>
     <message>
         <source>The lines make up for a kerf of {0} already: leave LightBurn's kerf offset at 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>線はすでに切り幅 {0} を補正してあります。LightBurn のカーフオフセットは 0 のままにしてください。</translation>
     </message>
     <message>
         <source>The lines of the drawing do not close around anything: the outline follows the lines.</source>
@@ -5348,11 +5388,11 @@
     </message>
     <message>
         <source>The photograph shows the back: it was mirrored.</source>
-        <translation type="unfinished"></translation>
+        <translation>写真に写っているのは裏です。反転しました。</translation>
     </message>
     <message>
         <source>The photograph shows too many shapes: take one of the balloon alone, on a plain background.</source>
-        <translation type="unfinished"></translation>
+        <translation>写真に形が多すぎます。無地の背景で、風船だけを撮ってください。</translation>
     </message>
     <message>
         <source>The picture has a single colour. Choose one that shows a shape on a background.</source>
@@ -5480,11 +5520,11 @@
     </message>
     <message>
         <source>The scale '{0}' cannot be used: {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>縮尺「{0}」は使えません：{1}。</translation>
     </message>
     <message>
         <source>The scale of {0} over {1} pixels has no length: mark two points that are far apart, and give the distance between them.</source>
-        <translation type="unfinished"></translation>
+        <translation>{1} ピクセルで {0} という縮尺には長さがありません。遠く離れた 2 点に印を付け、その間の距離を指定してください。</translation>
     </message>
     <message>
         <source>The scheduler of Dask went away: start it and the study again; nothing is lost.</source>
@@ -5544,11 +5584,11 @@
     </message>
     <message>
         <source>The shape has the colour of a shadow: shadows on the background count as part of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>形の色が影の色と同じです。背景の影も形の一部として数えます。</translation>
     </message>
     <message>
         <source>The shape in the photograph measures {0}, {1} were expected: check the scale, or whether it is the right photograph.</source>
-        <translation type="unfinished"></translation>
+        <translation>写真の形の大きさは {0} ですが、予想は {1} です。縮尺と、正しい写真かどうかを確かめてください。</translation>
     </message>
     <message>
         <source>The shape in the picture is too frayed to trace. Use a clearer picture.</source>
@@ -5560,7 +5600,7 @@
     </message>
     <message>
         <source>The shape touches the {0} border of the photograph: take one that shows all of it on a plain background.</source>
-        <translation type="unfinished"></translation>
+        <translation>形が写真の{0}端に触れています。無地の背景で、形全体が写るように撮ってください。</translation>
     </message>
     <message>
         <source>The shape touches the {0} border of the picture; if it was cut off there, leave more margin.</source>
@@ -5719,6 +5759,10 @@
         <translation>温度（{0}）{1} ℃ は範囲外です。20C のように指定してください。</translation>
     </message>
     <message>
+        <source>The test card measures {0}, the bed of {1} {2}: try fewer values, or say with --bed how large it is.</source>
+        <translation>テストカードは {0}、{1} の加工範囲は {2} です: 値を減らすか、--bed で大きさを指定してください。</translation>
+    </message>
+    <message>
         <source>The thickness of the balloon decides the width of its side band: give one of them.</source>
         <translation>側面の帯の幅は風船の厚さで決まります。どちらか一方を指定してください。</translation>
     </message>
@@ -5744,7 +5788,7 @@
     </message>
     <message>
         <source>The weld draws the seam inward by {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>溶着で継ぎ目が内側へ寄る量：{0}</translation>
     </message>
     <message>
         <source>The width and the height must be more than 0.</source>
@@ -5812,7 +5856,7 @@
     </message>
     <message>
         <source>The {0} of a {1} must be from {2} to {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>工具（{1}）の値（{0}）は {2}～{3} にしてください。</translation>
     </message>
     <message>
         <source>The {0} strays by {1} % in sample {2}, which leaves nothing of it: give a smaller spread.</source>
@@ -5841,6 +5885,10 @@
     <message>
         <source>There can be 1 to {0} copies, not {1}.</source>
         <translation>枚数は 1～{0} です（指定は {1}）。</translation>
+    </message>
+    <message>
+        <source>There is a machine {0} of your own: give another --name, or delete its file.</source>
+        <translation>ご自分の機械 {0} がすでにあります: 別の --name を指定するか、そのファイルを削除してください。</translation>
     </message>
     <message>
         <source>There is advice about two equal panels only: of many, the warnings tell.</source>
@@ -6072,7 +6120,7 @@
     </message>
     <message>
         <source>This shape does not tell a stretch of the film from a weld that draws the seam inward: it is either a stretch of {0}, or a weld that draws it inward by {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>この形では、フィルムの伸びと、溶着で継ぎ目が内側へ寄ることを区別できません。伸びなら {0}、内側へ寄る量なら {1} です。</translation>
     </message>
     <message>
         <source>This shape stays flat: it holds {percent} of the air that a round balloon of as much film would. Fewer and wider parts make it rounder.</source>
@@ -6112,11 +6160,11 @@
     </message>
     <message>
         <source>Tool paths</source>
-        <translation type="unfinished"></translation>
+        <translation>ツールパス</translation>
     </message>
     <message>
         <source>Tool paths, no file</source>
-        <translation type="unfinished"></translation>
+        <translation>ツールパスだけ（ファイルなし）</translation>
     </message>
     <message>
         <source>Tracing paper, 92 g/m²</source>
@@ -6219,6 +6267,10 @@
         <translation>上端</translation>
     </message>
     <message>
+        <source>Use it as --machine {0}; in FreeCAD it is among the machines.</source>
+        <translation>--machine {0} として使えます。FreeCAD では機械の一覧にあります。</translation>
+    </message>
+    <message>
         <source>Used</source>
         <translation>使用率</translation>
     </message>
@@ -6256,7 +6308,7 @@
     </message>
     <message>
         <source>Water column</source>
-        <translation type="unfinished"></translation>
+        <translation>水柱</translation>
     </message>
     <message>
         <source>Weakest place</source>
@@ -6428,7 +6480,7 @@
     </message>
     <message>
         <source>With --scale {0} the size tells nothing of the film: give the photograph's scale to fit it.</source>
-        <translation type="unfinished"></translation>
+        <translation>--scale {0} では、大きさからフィルムのことは分かりません。フィルムを合わせるには写真の縮尺を指定してください。</translation>
     </message>
     <message>
         <source>With a side band the balloon of this drawing becomes {0} to {1} thick, not {2}. Choose a thickness between, or draw its parts wider or narrower.</source>
@@ -6664,11 +6716,11 @@
     </message>
     <message>
         <source>as made is larger</source>
-        <translation type="unfinished"></translation>
+        <translation>実物の方が大きい</translation>
     </message>
     <message>
         <source>as made is smaller</source>
-        <translation type="unfinished"></translation>
+        <translation>実物の方が小さい</translation>
     </message>
     <message>
         <source>at most </source>
@@ -6676,7 +6728,7 @@
     </message>
     <message>
         <source>at most {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>最大 {0}</translation>
     </message>
     <message>
         <source>at most {} ({})</source>
@@ -6739,6 +6791,10 @@
         <translation>切断の誤差</translation>
     </message>
     <message>
+        <source>depth</source>
+        <translation>深さ</translation>
+    </message>
+    <message>
         <source>designing a balloon</source>
         <translation>風船の設計</translation>
     </message>
@@ -6755,6 +6811,10 @@
         <translation>描いた印</translation>
     </message>
     <message>
+        <source>dwell</source>
+        <translation>待ち時間</translation>
+    </message>
+    <message>
         <source>edge {0} of {1}panel '{2}'</source>
         <translation>{1}パネル「{2}」の辺 {0}</translation>
     </message>
@@ -6767,8 +6827,12 @@
         <translation>空：</translation>
     </message>
     <message>
+        <source>feed</source>
+        <translation>送り速度</translation>
+    </message>
+    <message>
         <source>feed in corners</source>
-        <translation type="unfinished"></translation>
+        <translation>角での送り速度</translation>
     </message>
     <message>
         <source>fetch the native solver from the network, where the workbench came without it</source>
@@ -6792,7 +6856,7 @@
     </message>
     <message>
         <source>fitted to the photograph {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>写真 {0} に合わせた値</translation>
     </message>
     <message>
         <source>fold</source>
@@ -6841,6 +6905,14 @@
     <message>
         <source>hole {0} of panel '{1}'</source>
         <translation>パネル「{1}」の穴 {0}</translation>
+    </message>
+    <message>
+        <source>hot tip</source>
+        <translation>熱いこて先</translation>
+    </message>
+    <message>
+        <source>hot wheel</source>
+        <translation>熱いローラー</translation>
     </message>
     <message>
         <source>hydrogen</source>
@@ -6935,16 +7007,28 @@
         <translation>点に x、y、z がありません。</translation>
     </message>
     <message>
+        <source>knife</source>
+        <translation>刃</translation>
+    </message>
+    <message>
         <source>known of two equal panels alone</source>
         <translation>同じ 2 枚のパネルでだけわかります</translation>
     </message>
     <message>
+        <source>laser</source>
+        <translation>レーザー</translation>
+    </message>
+    <message>
         <source>layer {0} of the LightBurn project has two speeds or powers: give its roles one.</source>
-        <translation type="unfinished"></translation>
+        <translation>LightBurn プロジェクトのレイヤー {0} に速度か出力が二つあります。その役割には同じ値を指定してください。</translation>
     </message>
     <message>
         <source>laying out, {0} so far</source>
         <translation>配置中、これまで {0}</translation>
+    </message>
+    <message>
+        <source>lead-in</source>
+        <translation>リードイン</translation>
     </message>
     <message>
         <source>left</source>
@@ -6965,6 +7049,10 @@
     <message>
         <source>lift</source>
         <translation>浮力</translation>
+    </message>
+    <message>
+        <source>lift of the tool</source>
+        <translation>工具の上昇量</translation>
     </message>
     <message>
         <source>loose: {}</source>
@@ -6992,7 +7080,7 @@
     </message>
     <message>
         <source>min_power_percent of {0} is more than max_power_percent: exchange the two.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} の min_power_percent が max_power_percent より大きくなっています。二つを入れ替えてください。</translation>
     </message>
     <message>
         <source>more than</source>
@@ -7028,7 +7116,7 @@
     </message>
     <message>
         <source>nobody knows "{0}" of a tool: it may be one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>工具の「{0}」は使えません。使えるもの：{1}。</translation>
     </message>
     <message>
         <source>nobody knows "{0}": it may be one of {1}.</source>
@@ -7044,7 +7132,7 @@
     </message>
     <message>
         <source>number for full power</source>
-        <translation type="unfinished"></translation>
+        <translation>最大出力を表す数</translation>
     </message>
     <message>
         <source>opacity</source>
@@ -7064,11 +7152,15 @@
     </message>
     <message>
         <source>passes of {0} is {1}: give a whole number.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} の passes が {1} です。整数にしてください。</translation>
     </message>
     <message>
         <source>place "{0}" is neither {1} nor {2}.</source>
         <translation>place「{0}」は {1} でも {2} でもありません。</translation>
+    </message>
+    <message>
+        <source>power</source>
+        <translation>出力</translation>
     </message>
     <message>
         <source>pressure</source>
@@ -7116,7 +7208,11 @@
     </message>
     <message>
         <source>speed of the spindle</source>
-        <translation type="unfinished"></translation>
+        <translation>主軸の回転速度</translation>
+    </message>
+    <message>
+        <source>spindle</source>
+        <translation>主軸</translation>
     </message>
     <message>
         <source>stale: </source>
@@ -7208,7 +7304,7 @@
     </message>
     <message>
         <source>the layer {0} lacks {1}: give speed and power together, or neither.</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤー {0} に {1} がありません。速度と出力を両方とも指定するか、両方とも外してください。</translation>
     </message>
     <message>
         <source>the name "{0}" of the stock goes into file names: take letters a to z.</source>
@@ -7224,7 +7320,7 @@
     </message>
     <message>
         <source>the tool "{0}" is none of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>工具「{0}」は {1} のどれでもありません。</translation>
     </message>
     <message>
         <source>the weld rigidity lacks its source: write where it is from, or "assumed".</source>
@@ -7309,6 +7405,10 @@
     <message>
         <source>welding error</source>
         <translation>溶着の誤差</translation>
+    </message>
+    <message>
+        <source>what came out</source>
+        <translation>結果</translation>
     </message>
     <message>
         <source>width</source>
@@ -7424,7 +7524,7 @@
     </message>
     <message>
         <source>{0} has a speed and a power, which only layers below {1} of a LightBurn project have: remove them.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} に速度と出力がありますが、付けられるのは LightBurn プロジェクトの {1} より小さい番号のレイヤーだけです。外してください。</translation>
     </message>
     <message>
         <source>{0} has an error: repair it.</source>
@@ -7672,7 +7772,7 @@
     </message>
     <message>
         <source>{0} is {1}: give a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} が {1} です。数にしてください。</translation>
     </message>
     <message>
         <source>{0} is {1}: write true or false.</source>
@@ -7704,7 +7804,7 @@
     </message>
     <message>
         <source>{0} mm with an error of {1} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} mm（誤差 {1} mm）</translation>
     </message>
     <message>
         <source>{0} must never be cut with a laser: choose a machine with a knife.</source>
@@ -7759,6 +7859,10 @@
         <translation>{0} 枚のパネルが 1 点に集まり、溶着では閉じません。シートのキャップを上から溶着するか、テープで留めてください。</translation>
     </message>
     <message>
+        <source>{0} reads no G-code: choose a machine that does.</source>
+        <translation>{0} は G コードを読みません: 読める機械を選んでください。</translation>
+    </message>
+    <message>
         <source>{0} reads {1}, which has no pages: choose paper.</source>
         <translation>{0} が読むのは {1} で、ページがありません。用紙を選んでください。</translation>
     </message>
@@ -7804,7 +7908,7 @@
     </message>
     <message>
         <source>{0} turns a minute</source>
-        <translation type="unfinished"></translation>
+        <translation>毎分 {0} 回転</translation>
     </message>
     <message>
         <source>{0} was left out. {1}</source>
@@ -7824,7 +7928,7 @@
     </message>
     <message>
         <source>{0} with an error of {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}（誤差 {1}）</translation>
     </message>
     <message>
         <source>{0} with valve {1}</source>

@@ -10,6 +10,7 @@ import numpy as np
 from BalloonWorkbench.core.as_made.comparison import Comparison
 from BalloonWorkbench.core.geometry.areas import parts
 from BalloonWorkbench.core.geometry.polyline import bounds, ring
+from BalloonWorkbench.core.geometry.vectors import direction
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pictures.canvas import PreviewCanvas
@@ -54,7 +55,7 @@ def _draw(card: PreviewCard, comparison: Comparison) -> None:
         card.lines([frame(to_mm(ring(loop))) for loop in outline.loops], colour, width)
     for stretch in comparison.stretches[:1]:
         angles = np.linspace(0.0, 2.0 * np.pi, 60)
-        circle = _MARK * np.column_stack([np.cos(angles), np.sin(angles)])
+        circle = _MARK * direction(angles)
         card.lines([circle + frame(to_mm(stretch.place[None]))], _FARTHEST, 2.0)
     apart = comparison.residual
     lines = [
