@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Callable
-from functools import partial
 from typing import Any
 
 from BalloonWorkbench.core.options.making import ToolOptions
@@ -35,7 +34,7 @@ def add_test_card(command: argparse.ArgumentParser) -> None:
             )
             continue
         text = option.text.replace("%", "%%")
-        kind = partial(_listed, read)
+        kind = _several(read, name)
         tool.add_argument(
             option.flag_name, dest=option.name, type=kind, metavar=option.metavar or name, help=text
         )
@@ -44,5 +43,9 @@ def add_test_card(command: argparse.ArgumentParser) -> None:
     kept.add_argument("--name", metavar="NAME", help="of the machine file of your own that gets its settings")
 
 
-def _listed(read: Callable[[str], Any], text: str) -> list[Any]:
-    return [read(part.strip()) for part in text.split(",")]
+def _several(read: Callable[[str], Any], name: str) -> Callable[[str], list[Any]]:
+    def values(text: str) -> list[Any]:
+        return [read(part.strip()) for part in text.split(",")]
+
+    values.__name__ = name  # as which argparse complains
+    return values

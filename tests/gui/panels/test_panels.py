@@ -112,6 +112,19 @@ def test_live_balloon_follows_without_apply(made):
     assert made.balloon.Volume.Value == volume
 
 
+def test_ok_closes_when_values_come_back_to_what_is_there(made):
+    """The work for the values between is given up, and nothing is left to be done."""
+    was = made.balloon.Pressure.UserString
+    open_panel(made.balloon)
+    with hands.work_held():
+        hands.type_into(hands.find("Pressure"), "3 kPa")
+        hands.wait_until(lambda: hands.find("Stop").isVisible())
+        hands.type_into(hands.find("Pressure"), was)
+        hands.press("Ok")
+        hands.wait_until(hands.panel_is_closed, 20)
+    assert made.balloon.Status == status.READY
+
+
 def test_result_tells_what_a_creased_weld_does(made):
     """Of a corrected pattern alone; an older document has no such number yet."""
     assert "If the weld creases" not in dict(result_box.measures(made.balloon, made.pattern))

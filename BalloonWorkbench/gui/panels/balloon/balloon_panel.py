@@ -277,7 +277,7 @@ class BalloonPanel(TaskPanel):
         if self.again:
             self.again = False
             if worker.design is None:
-                self.bring_up_to_date()
+                self._go_on()
                 return
         if worker.design is None:
             self.fail(worker.error)
@@ -288,7 +288,10 @@ class BalloonPanel(TaskPanel):
         except BalloonError as error:
             self.fail(error)
             return
-        # works once more when values were changed meanwhile
+        self._go_on()
+
+    def _go_on(self):
+        """Work once more when values were changed meanwhile; else an OK that waits has come to its end."""
         done = self.apply() if self.closing else self.bring_up_to_date()
         if done and self.closing:
             self.close(keep=True)
