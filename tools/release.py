@@ -41,6 +41,8 @@ PARTS = (
             "docs/tutorial-bodies.md",
             "docs/freecad.md",
             "docs/command-line.md",
+            "docs/machines.md",
+            "docs/compare.md",
             "docs/studies.md",
             "docs/api.md",
         ),

@@ -29,7 +29,18 @@ COMPILED_WITH = {"Eigen": "3.4.0", "LLVM": "22.1.8", "mingw-w64": "15.0.0", "Zig
 
 
 #: What FreeCAD brings under these names.
-HOSTS = {"FreeCAD", "FreeCADGui", "Part", "Mesh", "MeshPart", "Sketcher", "Materials", "MatGui", "pivy"}
+HOSTS = {
+    "FreeCAD",
+    "FreeCADGui",
+    "Part",
+    "Mesh",
+    "MeshPart",
+    "Sketcher",
+    "Materials",
+    "MatGui",
+    "pivy",
+    "Path",
+}
 HOSTS |= {"PySide", "PySide2", "PySide6"}
 
 
