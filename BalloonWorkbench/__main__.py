@@ -4,6 +4,10 @@
 import os
 import sys
 
+#: NumPy's own threads gain nothing at our sizes, and round otherwise than one does: the same input would not
+#: always give the same numbers. The solver has threads of its own.
+_THREADS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")
+
 
 def _start() -> int:
     for number in range(3):  # a file that we open must not get the number of a closed output
@@ -11,6 +15,8 @@ def _start() -> int:
             os.fstat(number)
         except OSError:
             os.open(os.devnull, os.O_RDWR)
+    for name in _THREADS:
+        os.environ.setdefault(name, "1")
     try:
         from BalloonWorkbench.cli.command_line import main
     except KeyboardInterrupt:

@@ -288,3 +288,19 @@ def test_the_folder_is_gone_when_the_files_are_written(
     monkeypatch.setattr(settings, "make_balloon", and_remove)
     assert command_line.main(command(box, str(out))) == 0
     assert written(out) == FILES
+
+
+def test_numpy_works_with_one_thread_unless_the_user_says_otherwise() -> None:
+    """A balloon of a study, whose process has one, is the same to the last bit."""
+    begin = (
+        "import os, runpy, sys\nsys.argv = ['balloon', '--version']\n"
+        "try:\n    runpy.run_module('BalloonWorkbench', run_name='__main__')\n"
+        "except SystemExit:\n    print(os.environ['OPENBLAS_NUM_THREADS'])\n"
+    )
+    for given, found in ((None, "1"), ("3", "3")):
+        known = {name: value for name, value in os.environ.items() if name != "OPENBLAS_NUM_THREADS"}
+        known |= {} if given is None else {"OPENBLAS_NUM_THREADS": given}
+        done = subprocess.run(
+            [sys.executable, "-c", begin], env=known, capture_output=True, text=True, check=True
+        )
+        assert done.stdout.split()[-1] == found
