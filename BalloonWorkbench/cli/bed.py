@@ -11,8 +11,7 @@ from BalloonWorkbench.cli.options import typed
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.job import Balloon
 from BalloonWorkbench.core.machines.bed import fits, scale_to_fit
-from BalloonWorkbench.core.machines.machine import Machine, holding, machine
-from BalloonWorkbench.core.machines.tool import lacking
+from BalloonWorkbench.core.machines.machine import Machine, complete, holding, machine
 from BalloonWorkbench.core.options.making import REFUSE, SCALE, ToolOptions
 from BalloonWorkbench.core.options.option import unusual
 from BalloonWorkbench.core.pattern.pattern import Pattern
@@ -39,16 +38,8 @@ def machines_of(options: argparse.Namespace) -> list[Machine]:
             "A volume or a lift decides the size, so the balloon cannot be scaled to fit: leave out"
             " --oversize scale, or what you give of --target-volume, --target-lift and --gas-volume."
         )
-    return [_held(machine(name, options.bed), wishes) for name in options.machine]
-
-
-def _held(chosen: Machine, wishes: ToolOptions) -> Machine:
-    """The machine with the tool that was asked for; what nobody else knows is asked for before the work."""
-    held = holding(chosen, wishes)
-    missing = held.tool and lacking(held.tool, held.version)
-    if missing:
-        raise InputError(f"{held.title}: {missing}")
-    return held
+    # what nobody else knows is asked for before the work
+    return [complete(holding(machine(name, options.bed), wishes)) for name in options.machine]
 
 
 def scaled_to_fit(

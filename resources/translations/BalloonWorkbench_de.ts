@@ -4947,6 +4947,10 @@
         <translation>Die Flächen von {0} lassen sich in einem Netz nicht voneinander unterscheiden. Den Volumenkörper reparieren oder ein Netz davon geben.</translation>
     </message>
     <message>
+        <source>The field {0} of this card makes no machine: {1}</source>
+        <translation>Das Feld {0} dieser Karte ergibt keine Maschine: {1}</translation>
+    </message>
+    <message>
         <source>The file does not name its unit: the largest size in it, {0}, is taken as metres. Give a width to have another one.</source>
         <translation>Die Datei nennt ihre Einheit nicht: Das größte Maß darin, {0}, wird als Meter genommen. Für eine andere Größe eine Breite angeben.</translation>
     </message>

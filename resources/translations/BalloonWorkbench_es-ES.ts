@@ -4947,6 +4947,10 @@
         <translation>Las caras de {0} no se pueden distinguir entre sí en una malla. Repare el sólido, o dé una malla de él.</translation>
     </message>
     <message>
+        <source>The field {0} of this card makes no machine: {1}</source>
+        <translation>El campo {0} de esta tarjeta no da una máquina: {1}</translation>
+    </message>
+    <message>
         <source>The file does not name its unit: the largest size in it, {0}, is taken as metres. Give a width to have another one.</source>
         <translation>El archivo no indica su unidad: su mayor medida, {0}, se toma en metros. Indique una anchura para tener otra.</translation>
     </message>

@@ -4947,6 +4947,10 @@
         <translation>Les faces de {0} ne peuvent pas être distinguées dans un maillage. Réparez le solide, ou donnez-en un maillage.</translation>
     </message>
     <message>
+        <source>The field {0} of this card makes no machine: {1}</source>
+        <translation>Le champ {0} de cette carte ne fait pas une machine : {1}</translation>
+    </message>
+    <message>
         <source>The file does not name its unit: the largest size in it, {0}, is taken as metres. Give a width to have another one.</source>
         <translation>Le fichier ne nomme pas son unité : sa plus grande dimension, {0}, est prise en mètres. Donnez une largeur pour en avoir une autre.</translation>
     </message>

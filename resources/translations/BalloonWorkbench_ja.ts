@@ -4947,6 +4947,10 @@
         <translation>{0} の面をメッシュで区別できません。ソリッドを直すか、そのメッシュを渡してください。</translation>
     </message>
     <message>
+        <source>The field {0} of this card makes no machine: {1}</source>
+        <translation>このカードの欄 {0} は機械になりません: {1}</translation>
+    </message>
+    <message>
         <source>The file does not name its unit: the largest size in it, {0}, is taken as metres. Give a width to have another one.</source>
         <translation>ファイルに単位が書かれていません。最大の寸法 {0} をメートルとみなします。変えるには幅を指定してください。</translation>
     </message>

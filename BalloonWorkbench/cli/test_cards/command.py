@@ -10,11 +10,11 @@ from pathlib import Path
 from BalloonWorkbench.cli import console
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.files.write import check_folder, write_files
-from BalloonWorkbench.core.machines.machine import machine, machine_data, own_folder
+from BalloonWorkbench.core.machines.machine import machine, own_folder
 from BalloonWorkbench.core.options.making import ToolOptions
 from BalloonWorkbench.core.test_cards.card import make_card
 from BalloonWorkbench.core.test_cards.files import card_files
-from BalloonWorkbench.core.test_cards.keep import kept_machine
+from BalloonWorkbench.core.test_cards.keep import kept_machine, machine_data
 from BalloonWorkbench.core.types import Say
 
 

@@ -18,7 +18,14 @@ from BalloonWorkbench.core.arcs.fit_arcs import TOLERANCE
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.files.data_file import RESOURCES, UNUSABLE, data_files, read_data
 from BalloonWorkbench.core.machines.layers import LAYERS, LaserSettings, laser_settings
-from BalloonWorkbench.core.machines.tool import CONTROLLERS, LINUXCNC, MachineTool, changed, read_tool
+from BalloonWorkbench.core.machines.tool import (
+    CONTROLLERS,
+    LINUXCNC,
+    MachineTool,
+    changed,
+    lacking,
+    read_tool,
+)
 from BalloonWorkbench.core.options.making import ToolOptions
 from BalloonWorkbench.core.pattern.pattern import Role
 from BalloonWorkbench.core.units import INCH, MILLIMETRE, from_mm, number_text, parse_size, to_mm
@@ -166,14 +173,6 @@ def machine(name: str, bed: str | None = None) -> Machine:
     return chosen if bed is None else replace(chosen, bed=parse_bed(bed))
 
 
-def machine_data(name: str) -> dict[str, Any]:
-    """What the file of a machine has that `machine` finds by this name."""
-    plain = f"{'-'.join(name.lower().split())}.json"
-    own = own_folder() / plain
-    path = Path(name) if name.lower().endswith(".json") else own if own.is_file() else FOLDER / plain
-    return dict(read_data(path))
-
-
 def holding(machine: Machine, wishes: ToolOptions) -> Machine:
     """The machine with the tool that the user wishes; those that read no G-code hold what they hold.
 
@@ -186,6 +185,14 @@ def holding(machine: Machine, wishes: ToolOptions) -> Machine:
         machine.layers if tool.kind == machine.tool.kind else _layers({role.value: {} for role in tool.roles})
     )
     return replace(machine, tool=tool, layers=layers, process=tool.process)
+
+
+def complete(held: Machine) -> Machine:
+    """The same machine; InputError where its tool lacks what only the user knows."""
+    missing = held.tool and lacking(held.tool, held.version)
+    if missing:
+        raise InputError(f"{held.title}: {missing}")
+    return held
 
 
 def parse_bed(text: str, plain: str = "") -> tuple[float, float] | None:
@@ -234,7 +241,7 @@ def read_machine(path: Path) -> Machine:
     Raises InputError that names the file and the value.
     """
     try:
-        described = _machine_of(read_data(path))
+        described = machine_of(read_data(path))
     except KeyError as error:
         raise InputError(f"The machine file {path.name} lacks {error}: add it.") from error
     except (*UNUSABLE, InputError) as error:
@@ -259,7 +266,8 @@ _KEYS = {
 }  # fmt: skip
 
 
-def _machine_of(data: dict[str, Any]) -> Machine:
+def machine_of(data: dict[str, Any]) -> Machine:
+    """The machine that the content of a file describes, checked. Raises InputError, or one of UNUSABLE."""
     strange = sorted(set(data) - _KEYS)
     if strange:
         raise InputError(f'nobody knows "{strange[0]}": it may be one of {", ".join(sorted(_KEYS))}.')

@@ -16,8 +16,8 @@ import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.geometry.polyline import extent
-from BalloonWorkbench.core.machines.machine import Machine, bed_text, holding
-from BalloonWorkbench.core.machines.tool import lacking, value_text
+from BalloonWorkbench.core.machines.machine import Machine, bed_text, complete, holding
+from BalloonWorkbench.core.machines.tool import value_text
 from BalloonWorkbench.core.options.making import ToolOptions
 from BalloonWorkbench.core.pattern.label import lettering
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
@@ -127,7 +127,7 @@ def make_card(machine: Machine, tried: Mapping[str, Sequence[Any]]) -> SettingsC
         wishes = replace(fixed, **{across: tried[across][column]})
         if upward:
             wishes = replace(wishes, **{upward: tried[upward][row]})
-        held = _complete(holding(machine, wishes))
+        held = complete(holding(machine, wishes))
         assert held.tool is not None
         width, height = STRIP if held.tool.is_hot else SQUARE
         corner = np.array([_LEFT + column * width, _BELOW + row * height])
@@ -143,13 +143,6 @@ def _letters(text: str, width: float, middle: Floats) -> tuple[Contour, ...]:
     """A text round a point (2,) m, no wider than there is space for it."""
     usual = extent(np.concatenate([letter.points for letter in lettering(text, _LETTERS, middle)]))
     return lettering(text, _LETTERS * min(1.0, 0.9 * width / usual), middle)
-
-
-def _complete(held: Machine) -> Machine:
-    missing = held.tool and lacking(held.tool, held.version)
-    if missing:
-        raise InputError(f"{held.title}: {missing}")
-    return held
 
 
 def _fitting(card: SettingsCard, machine: Machine) -> SettingsCard:

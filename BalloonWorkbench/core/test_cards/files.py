@@ -23,7 +23,7 @@ CARD_FILE = "test-card.json"
 
 
 def card_files(card: SettingsCard, file_data: dict[str, Any]) -> dict[str, bytes]:
-    """Contents by file name; file_data is what the machine's own file has, see `machine.machine_data`.
+    """Contents by file name; file_data is what the machine's own file has, see `keep.machine_data`.
 
     Raises MissingPackageError without matplotlib, whose fonts the plan takes.
     """

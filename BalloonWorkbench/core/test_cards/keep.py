@@ -10,6 +10,7 @@ from typing import Any
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.files.data_file import UNUSABLE, read_data
+from BalloonWorkbench.core.machines.machine import FOLDER, machine_of, own_folder
 
 _NAME = re.compile(r"[a-z0-9][a-z0-9-]{0,39}")
 
@@ -31,7 +32,19 @@ def kept_machine(card: Path, field: str, name: str) -> bytes:
     layers = made.get("layers", {})
     roles = {role: layers.get(role, {}) for role in content["layers"]}
     made |= {"name": name, "title": title, "tool": tool, "layers": roles}
+    try:
+        machine_of(made)
+    except (*UNUSABLE, InputError) as error:
+        raise InputError(f"The field {field} of this card makes no machine: {error}") from None
     return (json.dumps(made, indent=2, ensure_ascii=False) + "\n").encode()
+
+
+def machine_data(name: str) -> dict[str, Any]:
+    """What the file of a machine has that `machine` finds by this name."""
+    plain = f"{'-'.join(name.lower().split())}.json"
+    own = own_folder() / plain
+    path = Path(name) if name.lower().endswith(".json") else own if own.is_file() else FOLDER / plain
+    return dict(read_data(path))
 
 
 def _read(path: Path) -> dict[str, Any]:

@@ -11,11 +11,11 @@ import pytest
 from gcode_reader import Controller
 
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.machines.machine import FOLDER, machine, machine_data, read_machine
+from BalloonWorkbench.core.machines.machine import FOLDER, machine, read_machine
 from BalloonWorkbench.core.machines.tool import read_tool, tool_data
 from BalloonWorkbench.core.test_cards.card import CUT_OUT, SettingsCard, make_card
 from BalloonWorkbench.core.test_cards.files import CARD_FILE, card_files
-from BalloonWorkbench.core.test_cards.keep import kept_machine
+from BalloonWorkbench.core.test_cards.keep import kept_machine, machine_data
 from BalloonWorkbench.core.units import from_mm, parse_temperature
 
 HOT = {"feed": [200.0, 300.0, 400.0], "tip_temperature": [parse_temperature(f"{c}C") for c in (140, 160)]}
@@ -114,6 +114,19 @@ def test_files_that_are_no_cards(content: str, tmp_path: Path) -> None:
         kept_machine(file, "A1", "mine")
     with pytest.raises(InputError, match="Cannot read"):
         kept_machine(tmp_path / "none.json", "A1", "mine")
+
+
+@pytest.mark.parametrize(
+    "change", [{"feed_mm_min": -5}, {"kind": "saw"}, {"feed_mm_min": "fast"}, {"wings": 2}]
+)
+def test_a_field_that_was_spoiled_is_no_machine(change: dict, tmp_path: Path) -> None:
+    content = json.loads(files_of("gcode-grbl", LASER)[1][CARD_FILE])
+    content["fields"]["A1"] |= change
+    file = tmp_path / CARD_FILE
+    file.write_text(json.dumps(content))
+    with pytest.raises(InputError, match="The field A1 of this card makes no machine"):
+        kept_machine(file, "A1", "mine")
+    assert kept_machine(file, "A2", "mine")
 
 
 def test_fields_and_names_that_there_are_not(tmp_path: Path) -> None:
