@@ -189,8 +189,7 @@ def holding(machine: Machine, wishes: ToolOptions) -> Machine:
 
 def complete(held: Machine) -> Machine:
     """The same machine; InputError where its tool lacks what only the user knows."""
-    missing = held.tool and lacking(held.tool, held.version)
-    if missing:
+    if held.tool and (missing := lacking(held.tool, held.version)):
         raise InputError(f"{held.title}: {missing}")
     return held
 
