@@ -98,6 +98,8 @@ def _named(tree: ast.AST) -> Iterator[Text]:
             yield from _labels(node)
         elif name == "result" and len(given) == 3 and isinstance(given[2], str):
             yield Text(PROPERTY, given[2])
+        elif name == "MachineEntry":
+            yield from _labels(node)
         elif _is_option(node):
             if not any(word.arg == "prop" and ast.unparse(word.value) == "''" for word in node.keywords):
                 yield Text(PROPERTY, str(given[2]))
@@ -113,9 +115,9 @@ def _is_option(node: ast.AST) -> bool:
 
 
 def _labels(node: ast.AST) -> Iterator[Text]:
-    """The label of a field, and that of a preference."""
+    """The label of a field, that of a preference, and what is told of a field."""
     for word in node.keywords if isinstance(node, ast.Call) else []:
-        if word.arg in ("label", "preference") and isinstance(word.value, ast.Constant):
+        if word.arg in ("label", "preference", "tip") and isinstance(word.value, ast.Constant):
             yield Text(OURS, str(word.value.value))
 
 
@@ -223,8 +225,9 @@ def _choices(tree: ast.Module) -> Iterator[str]:
 def _titles(tree: ast.AST) -> Iterator[str]:
     """What people read for the choices of an option."""
     for node in ast.walk(tree):
-        for word in node.keywords if isinstance(node, ast.Call) and _is_option(node) else []:
-            if word.arg == "choices":
+        declared = _is_option(node) or _called(node) == "MachineEntry"
+        for word in node.keywords if isinstance(node, ast.Call) and declared else []:
+            if word.arg in ("choices", "titles"):
                 values = getattr(word.value, "values", [])
                 yield from (value for each in values for value in _constants(each) if _ENTRY.fullmatch(value))
 

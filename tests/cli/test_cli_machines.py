@@ -80,7 +80,7 @@ def test_gcode_with_the_tool_that_is_given(square: Path, capsys: pytest.CaptureF
         ("--machine gcode-grbl", "give --feed 600 for 600 mm/min and --power 40 for 40 %"),
         ("--machine gcode-grbl --feed 0 --power 40", "from 1 mm/min"),
         ("--machine gcode-grbl --feed nan --power 40", "from 1 mm/min"),
-        ("--machine gcode-grbl --feed 600 --power 40 --bed 1mmx1mm", "The pattern measures"),
+        ("--machine gcode-grbl --feed 600 --power 40 --bed 1mmx1mm", "A bed is 10 mm to"),
         ("--machine lightburn --feed 600", "give --machine gcode-grbl"),
         ("--tool axe --machine gcode-grbl", "axe"),
         ("--machine gcode-marlin --feed 300 --tip-temperature 700C --depth 0", "40C to 400C"),

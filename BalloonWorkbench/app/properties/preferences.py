@@ -16,6 +16,7 @@ from BalloonWorkbench.app.properties.property_table import Property, shown_value
 PATH = "User parameter:BaseApp/Preferences/Mod/BalloonWorkbench"
 _BEDS = f"{PATH}/Beds"  # by the name of the machine, as text
 _RECENT = "RecentExportFolder"
+_MACHINE = "FilmBalloonMachine"  # of a document
 _GENERAL, _OPENED = "User parameter:BaseApp/Preferences/General", "FileOpenSavePath"  # FreeCAD's own
 _folders: dict[str, str] = {}  # where files went, by the document
 
@@ -104,6 +105,23 @@ def put_bed(machine, size: tuple[float, float] | None) -> None:
         group.RemString(machine.name)
     else:
         group.SetString(machine.name, bed_text(size))
+
+
+def forget_bed(name: str) -> None:
+    """The bed of a machine is that of its file again."""
+    App.ParamGet(_BEDS).RemString(name)
+
+
+def machine(doc) -> str:
+    """The machine for which this document was exported last, else the one that the user prefers."""
+    last = dict(doc.Meta).get(_MACHINE, "")
+    return last if last in choices("Machine") else get("Machine")
+
+
+def put_machine(doc, name: str) -> None:
+    """Remember the machine for which a document was exported; the document keeps it."""
+    if dict(doc.Meta).get(_MACHINE) != name:
+        doc.Meta = {**doc.Meta, _MACHINE: name}
 
 
 def export_folder(doc) -> Path:

@@ -5,7 +5,7 @@ how a laser burns a layer, which only the user's own file of a machine says.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -35,8 +35,11 @@ LAYERS = {
     Role.REGISTRATION: Layer(4, "#00ffff"),
 }
 
+#: LightBurn knows so many layers; the last two, T1 and T2, are tool layers.
+PROJECT_LAYERS, TOOL_LAYER = 32, 30
+
 #: Keys of a layer, and from where to where their values go.
-_LIMITS = {
+LASER_KEYS = {
     "speed_mm_s": (0.01, 1e5),
     "max_power_percent": (0.1, 100.0),
     "min_power_percent": (0.0, 100.0),
@@ -59,7 +62,9 @@ class LaserSettings:
 
 def laser_settings(line: Mapping[str, Any], name: str) -> LaserSettings | None:
     """Those of a layer in a machine's file, None where it has none. InputError for such as no laser has."""
-    values = {key: _value(line[key], f"{key} of {name}", *_LIMITS[key]) for key in _LIMITS if key in line}
+    values = {
+        key: _value(line[key], f"{key} of {name}", *LASER_KEYS[key]) for key in LASER_KEYS if key in line
+    }
     if not values:
         return None
     for key in ("speed_mm_s", "max_power_percent"):
@@ -86,3 +91,21 @@ def _value(value: object, what: str, low: float, high: float) -> float:
             f"{what} is {value!r}: give a number from {number_text(low)} to {number_text(high)}."
         )
     return number
+
+
+def check_laser(layers: Sequence[tuple[str, int, LaserSettings | None]], project: bool) -> None:
+    """InputError for layers, by name, number and how they are burnt, that LightBurn does not have, or that
+    cannot be burnt as it is said; project: they are those of a LightBurn project.
+    """
+    if project and any(number >= PROJECT_LAYERS for _, number, _ in layers):
+        raise InputError(f"a LightBurn project has layers up to {PROJECT_LAYERS - 1}: change the pen.")
+    for name, number, laser in layers:
+        if laser is not None and not (project and number < TOOL_LAYER):
+            raise InputError(
+                f"{name} has a speed and a power, which only layers below {TOOL_LAYER} of a LightBurn"
+                " project have: remove them."
+            )
+        if project and any(other == number and burnt != laser for _, other, burnt in layers):
+            raise InputError(
+                f"layer {number} of the LightBurn project has two speeds or powers: give its roles one."
+            )

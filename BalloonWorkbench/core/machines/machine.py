@@ -17,7 +17,13 @@ from typing import Any
 from BalloonWorkbench.core.arcs.fit_arcs import TOLERANCE
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.files.data_file import RESOURCES, UNUSABLE, data_files, read_data
-from BalloonWorkbench.core.machines.layers import LAYERS, LaserSettings, laser_settings
+from BalloonWorkbench.core.machines.layers import (
+    LAYERS,
+    TOOL_LAYER,
+    LaserSettings,
+    check_laser,
+    laser_settings,
+)
 from BalloonWorkbench.core.machines.tool import (
     CONTROLLERS,
     LINUXCNC,
@@ -38,7 +44,13 @@ _VERSIONS = {"dxf": ("R2000", "R12"), "svg": ("",), "pdf": ("",), "hpgl": ("",),
              "gcode": CONTROLLERS}  # fmt: skip
 #: The bed of a machine that has none.
 NO_LIMIT = "none"
-_LEAST_BED, _MOST = 1.0, 1e5  # mm
+_LEAST_BED, _MOST = 10.0, 1e5  # mm
+#: Lengths of a machine's file, and from where to where they go [mm].
+LIMITS = {
+    "kerf_mm": (0.0, 20.0), "knife_offset_mm": (0.0, 20.0), "overcut_mm": (0.0, 100.0),
+    "overrun_mm": (0.0, 1000.0), "least_radius_mm": (0.0, _MOST), "least_gap_mm": (0.0, _MOST),
+    "tolerance_mm": (0.005, 0.5),
+}  # fmt: skip
 UNITS = {"mm": MILLIMETRE, "in": INCH}
 LINE_TYPES = ("CONTINUOUS", "DASHED")
 #: After so many offsets a knife that came down turned by 150 degrees is 8 degrees off: the tangent of half
@@ -140,16 +152,16 @@ def machines() -> dict[str, Machine]:
     Raises InputError when a data file of ours is of no use.
     """
     known = {path.stem: read_machine(path) for path in sorted(FOLDER.glob("*.json"))}
-    known |= {path.stem: own for path, own in _own_machines().items() if isinstance(own, Machine)}
+    known |= {path.stem: own for path, own in own_machines().items() if isinstance(own, Machine)}
     return {name: known[name] for name in sorted(known, key=lambda name: (name not in ANY.values(), name))}
 
 
 def left_out() -> list[str]:
     """A sentence for each file in the user's folder that is of no use."""
-    return [f"{error} It is left out." for error in _own_machines().values() if isinstance(error, InputError)]
+    return [f"{error} It is left out." for error in own_machines().values() if isinstance(error, InputError)]
 
 
-def _own_machines() -> dict[Path, Machine | InputError]:
+def own_machines() -> dict[Path, Machine | InputError]:
     """The user's machines by their files, or what is wrong with these."""
     own: dict[Path, Machine | InputError] = {}
     for path in data_files(own_folder):
@@ -223,7 +235,7 @@ def _known_machine(name: str) -> Machine:
     if name.lower().endswith(".json"):
         return read_machine(Path(name))
     known, plain = machines(), "-".join(name.lower().split())
-    for path, own in _own_machines().items():  # never ours in the place of the user's: its numbers are others
+    for path, own in own_machines().items():  # never ours in the place of the user's: its numbers are others
         if path.stem == plain and isinstance(own, InputError):
             raise own
     named = known.get(plain)
@@ -255,9 +267,6 @@ def read_machine(path: Path) -> Machine:
 #: Files made before notches, folds and drawn marks had layers of their own have one for all of them. It may
 #: be one that is cut, and a fold goes across the neck: only notches are written there.
 _MARK, _NOTCH = "MARK", Role.NOTCH.value
-#: LightBurn knows so many layers; the last two, T1 and T2, are tool layers.
-_PROJECT_LAYERS, TOOL_LAYER = 32, 30
-
 _KEYS = {
     "name", "title", "note", "format", "version", "unit", "arcs", "bed_mm", "kerf_mm", "knife_offset_mm",
     "overcut_mm", "overrun_mm", "control_bar", "file", "tolerance_mm", "least_radius_mm", "least_gap_mm",
@@ -285,15 +294,15 @@ def machine_of(data: dict[str, Any]) -> Machine:
         arcs=_truth(data["arcs"], "arcs"),
         layers=_layers({_NOTCH if key == _MARK else key: line for key, line in marked.items()}),
         bed=_bed(data["bed_mm"]),
-        kerf=_length(data["kerf_mm"], "kerf_mm", 0.0, 20.0),
-        knife_offset=_length(data["knife_offset_mm"], "knife_offset_mm", 0.0, 20.0),
+        kerf=_length(data["kerf_mm"], "kerf_mm"),
+        knife_offset=_length(data["knife_offset_mm"], "knife_offset_mm"),
         overcut=_overcut(data),
-        overrun=_length(data["overrun_mm"], "overrun_mm", 0.0, 1000.0),
-        least_radius=_length(data["least_radius_mm"], "least_radius_mm", 0.0),
-        least_gap=_length(data["least_gap_mm"], "least_gap_mm", 0.0),
+        overrun=_length(data["overrun_mm"], "overrun_mm"),
+        least_radius=_length(data["least_radius_mm"], "least_radius_mm"),
+        least_gap=_length(data["least_gap_mm"], "least_gap_mm"),
         control_bar=_truth(data["control_bar"], "control_bar"),
         file=str(data.get("file", "")),
-        tolerance=_length(data.get("tolerance_mm", to_mm(TOLERANCE)), "tolerance_mm", 0.005, 0.5),
+        tolerance=_length(data.get("tolerance_mm", to_mm(TOLERANCE)), "tolerance_mm"),
         process=_one_of(data.get("process", tool.process if tool else ""), PROCESSES, "process"),
         tool=tool,
         remarks=_remarks(data),
@@ -304,28 +313,10 @@ def machine_of(data: dict[str, Any]) -> Machine:
         )
     if kind in ("hpgl", "pdf", "lbrn2", "gcode") and described.unit != "mm":
         raise InputError(f'a {kind.upper()} file has a unit of its own: give "unit": "mm".')
-    _check_laser(described)
+    check_laser([(line.name, line.pen, line.laser) for line in described.layers.values()], kind == "lbrn2")
     if kind == "hpgl" and described.arcs:
         raise InputError('HPGL is written as polylines: give "arcs": false.')
     return described
-
-
-def _check_laser(machine: Machine) -> None:
-    """InputError for layers that LightBurn does not have, or that cannot be burnt as it is said."""
-    lines = machine.layers.values()
-    project = machine.format == "lbrn2"
-    if project and any(line.pen >= _PROJECT_LAYERS for line in lines):
-        raise InputError(f"a LightBurn project has layers up to {_PROJECT_LAYERS - 1}: change the pen.")
-    for line in lines:
-        if line.laser is not None and not (project and line.is_burnt):
-            raise InputError(
-                f"{line.name} has a speed and a power, which only layers below {TOOL_LAYER} of a LightBurn"
-                " project have: remove them."
-            )
-        if project and any(other.pen == line.pen and other.laser != line.laser for other in lines):
-            raise InputError(
-                f"layer {line.pen} of the LightBurn project has two speeds or powers: give its roles one."
-            )
 
 
 def _tool(data: dict[str, Any], kind: str) -> MachineTool | None:
@@ -366,7 +357,7 @@ def _layers(data: dict[str, dict[str, Any]]) -> dict[Role, Line]:
 
 def _overcut(data: dict[str, Any]) -> float:
     """As it is given, else what a swivel knife takes to swing into its direction."""
-    return _length(data.get("overcut_mm", _SWING * data["knife_offset_mm"]), "overcut_mm", 0.0, 100.0)
+    return _length(data.get("overcut_mm", _SWING * data["knife_offset_mm"]), "overcut_mm")
 
 
 def _one_of(value: object, choices: tuple[str, ...], what: str) -> str:
@@ -387,11 +378,16 @@ def _bed(value: object) -> tuple[float, float] | None:
     if value is None:
         return None
     if not (isinstance(value, list) and len(value) == 2):
-        raise InputError(f"bed_mm is {value!r}: give [width, height], or null where there is no limit.")
-    return _length(value[0], "bed_mm", _LEAST_BED), _length(value[1], "bed_mm", _LEAST_BED)
+        raise InputError(
+            f"bed_mm is {value!r}: give [width, height], [width, null] for a roll, or null where there is no"
+            " limit."
+        )
+    width, height = value
+    return _length(width, "bed_mm"), math.inf if height is None else _length(height, "bed_mm")
 
 
-def _length(value: object, what: str, low: float, high: float = _MOST) -> float:
+def _length(value: object, what: str) -> float:
+    low, high = LIMITS.get(what, (_LEAST_BED, _MOST))
     number = float(value) if isinstance(value, (int, float)) else float("nan")
     if not low <= number <= high:
         raise InputError(

@@ -3,48 +3,33 @@
 
 from __future__ import annotations
 
-import json
-import re
 from pathlib import Path
 from typing import Any
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.files.data_file import UNUSABLE, read_data
-from BalloonWorkbench.core.machines.machine import FOLDER, machine_of, own_folder
+from BalloonWorkbench.core.machines.machine import machine_of
+from BalloonWorkbench.core.machines.own.keep import copied
 
-_NAME = re.compile(r"[a-z0-9][a-z0-9-]{0,39}")
 
-
-def kept_machine(card: Path, field: str, name: str) -> bytes:
-    """The content of a machine file of that name, with what a field of a card tried; see `files.card_files`.
+def kept_machine(card: Path, field: str, name: str) -> dict[str, Any]:
+    """What the file of a machine of that name has, with what a field of a card tried; see `files.card_files`.
 
     Raises InputError for a file that is no card, a field that it has not, and a name that is none.
     """
-    if not _NAME.fullmatch(name):
-        raise InputError(f"'{name}' cannot be the name of a machine: take small letters, digits and -.")
     content = _read(card)
     fields = content["fields"]
     tool = fields.get(field.strip().upper())
     if not isinstance(tool, dict):
         raise InputError(f"The card has no field {field}: choose one of {', '.join(fields)}.")
-    made = dict(content["machine"])
-    title = f"{made.get('title', name)}, {name}"
+    made = copied(content["machine"], name)
     layers = made.get("layers", {})
-    roles = {role: layers.get(role, {}) for role in content["layers"]}
-    made |= {"name": name, "title": title, "tool": tool, "layers": roles}
+    made |= {"tool": tool, "layers": {role: layers.get(role, {}) for role in content["layers"]}}
     try:
         machine_of(made)
     except (*UNUSABLE, InputError) as error:
         raise InputError(f"The field {field} of this card makes no machine: {error}") from None
-    return (json.dumps(made, indent=2, ensure_ascii=False) + "\n").encode()
-
-
-def machine_data(name: str) -> dict[str, Any]:
-    """What the file of a machine has that `machine` finds by this name."""
-    plain = f"{'-'.join(name.lower().split())}.json"
-    own = own_folder() / plain
-    path = Path(name) if name.lower().endswith(".json") else own if own.is_file() else FOLDER / plain
-    return dict(read_data(path))
+    return made
 
 
 def _read(path: Path) -> dict[str, Any]:

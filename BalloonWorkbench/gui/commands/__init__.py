@@ -13,7 +13,13 @@ from BalloonWorkbench.gui.commands.create import (
     Paint,
 )
 from BalloonWorkbench.gui.commands.equipment import Equipment
-from BalloonWorkbench.gui.commands.making import ArtworkCommand, AssemblySheet, ExportPattern, Nest
+from BalloonWorkbench.gui.commands.making import (
+    ArtworkCommand,
+    AssemblySheet,
+    ExportPattern,
+    Machines,
+    Nest,
+)
 from BalloonWorkbench.gui.commands.results import AdviceCommand, Animate, ColourMapCommand, StudyCommand
 
 _COMMANDS = {
@@ -34,7 +40,11 @@ _COMMANDS = {
 }
 
 #: In the menu only.
-_RARE = {"BalloonWorkbench_Examples": examples.Examples, "BalloonWorkbench_Equipment": Equipment}
+_RARE = {
+    "BalloonWorkbench_Machines": Machines,
+    "BalloonWorkbench_Examples": examples.Examples,
+    "BalloonWorkbench_Equipment": Equipment,
+}
 
 
 def register() -> tuple[list[str], list[str]]:

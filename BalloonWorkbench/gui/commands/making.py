@@ -7,7 +7,13 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from BalloonWorkbench.app.properties.property_table import QT_TRANSLATE_NOOP
-from BalloonWorkbench.gui.commands.command import PatternCommand, ResultCommand, selected_parts, solved_parts
+from BalloonWorkbench.gui.commands.command import (
+    Command,
+    PatternCommand,
+    ResultCommand,
+    selected_parts,
+    solved_parts,
+)
 from BalloonWorkbench.gui.qt import translate
 from BalloonWorkbench.gui.window.borders import undo_step
 
@@ -96,3 +102,20 @@ class AssemblySheet(ResultCommand):
         from BalloonWorkbench.gui.panels.making.assembly import AssemblyPanel
 
         show(AssemblyPanel(solved_parts()))
+
+
+class Machines(Command):
+    """Opens the panel on the user's own machines."""
+
+    drawing = "machines"
+    menu_text = QT_TRANSLATE_NOOP("BalloonWorkbench_Machines", "My machines")
+    tool_tip = QT_TRANSLATE_NOOP(
+        "BalloonWorkbench_Machines",
+        "Set up cutters, lasers, sealers and printers of your own: bed, file format, kerf, knife and tool",
+    )
+
+    def Activated(self):
+        from BalloonWorkbench.gui.panels import show
+        from BalloonWorkbench.gui.panels.making.machines import MachinesPanel
+
+        show(MachinesPanel())

@@ -52,7 +52,7 @@ PANELS = ("Advice", "Animate", "Artwork", "AssemblySheet", "ColourMap", "ExportP
 
 def test_nothing_shows_an_address(made):
     """All widgets of a panel, on all its pages, and of the window's own bars."""
-    for command in (*PANELS, "balloon", "Equipment", "Paint"):
+    for command in (*PANELS, "balloon", "Equipment", "Machines", "Paint"):
         shown = _shown_by(command, made)
         assert len(shown) > 20, command
         own = str(Path(made.outline.Document.FileName).parent)  # where the user's file goes may be told

@@ -17,7 +17,7 @@ from BalloonWorkbench.gui.panels.making.machine_box import MachineBox
 from BalloonWorkbench.gui.panels.widgets.narrow import NarrowCombo, NarrowForm, WrappedLabel
 from BalloonWorkbench.gui.panels.widgets.target_file import TargetFile, name_of
 from BalloonWorkbench.gui.panels.widgets.watch import Watch
-from BalloonWorkbench.gui.qt import QtGui, QtWidgets, icon, translate
+from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, translate
 from BalloonWorkbench.gui.window import macro_recorder
 from BalloonWorkbench.gui.window.borders import TaskPanel, undo_step
 from BalloonWorkbench.gui.window.sentences import translated
@@ -37,7 +37,7 @@ class ExportPanel(TaskPanel):
         self.choice.setObjectName("Pattern")
         self.choice.addItems([_name(pattern) for pattern in patterns])
         self.machine = MachineBox(patterns[0].Document.Name)
-        self.machine.choose(preferences.get("Machine"))
+        self.machine.choose(preferences.machine(patterns[0].Document))
         self.file = TargetFile(patterns[0].Document, "File", translate("Export pattern"))
         self.as_paths = QtWidgets.QCheckBox(translate("Tool paths, no file"))
         self.as_paths.setObjectName("AsToolPaths")
@@ -65,6 +65,7 @@ class ExportPanel(TaskPanel):
         self.choice.currentIndexChanged.connect(self.show_pattern)
         self.machine.changed.connect(self.show_pattern)
         self.machine.scaled.connect(self.scale_to_fit)
+        self.machine.set_up.connect(self.set_up_machines)
         self.choice.setCurrentIndex(patterns.index(chosen) if chosen in patterns else 0)
         self.show_pattern()
         self.watch = Watch(patterns, self.close)
@@ -81,6 +82,11 @@ class ExportPanel(TaskPanel):
         self.file.suggest(self.machine.machine.file_of(name_of(pattern)))
         self.as_paths.setVisible(self.machine.machine.tool is not None)
         self.machine.show_for(pattern)
+
+    def set_up_machines(self) -> None:
+        """Leave for the panel on the user's own machines."""
+        self.close()
+        QtCore.QTimer.singleShot(0, lambda: Gui.runCommand("BalloonWorkbench_Machines"))
 
     def scale_to_fit(self) -> None:
         """Make the balloon smaller until its pattern fits the bed, in one undo step."""
@@ -129,6 +135,7 @@ class ExportPanel(TaskPanel):
             "export", macro_recorder.obj(self.pattern()), macro_recorder.text(written), **options
         )
         self.file.wrote()
+        preferences.put_machine(self.pattern().Document, made_for.name)
         self.close()
         Gui.getMainWindow().statusBar().showMessage(translate("Pattern written to {}").format(written), 8000)
         return True
@@ -149,6 +156,7 @@ class ExportPanel(TaskPanel):
         options = {key: macro_recorder.text(value) for key, value in chosen.items() if value}
         words = macro_recorder.obj(pattern), macro_recorder.text(name)
         macro_recorder.call("tool_paths", *words, result=paths, **options)
+        preferences.put_machine(pattern.Document, name)
         self.close()
         return True
 

@@ -33,11 +33,13 @@ _HIGHEST = 160  # px, of the list of findings
 class MachineBox(QtWidgets.QWidget):
     """Chooses a machine and its bed.
 
-    `changed` follows each choice, `scaled` is the wish for a balloon that fits.
+    `changed` follows each choice, `scaled` is the wish for a balloon that fits, `set_up` the one for other
+    machines.
     """
 
     changed = QtCore.Signal()
     scaled = QtCore.Signal()
+    set_up = QtCore.Signal()
 
     def __init__(self, document_name: str):
         super().__init__()
@@ -74,7 +76,8 @@ class MachineBox(QtWidgets.QWidget):
         bed_row.addWidget(self.bed, 1)
         column = QtWidgets.QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
-        for widget in (self.choice, self.pages, self.note):
+        column.addLayout(self._choosing())
+        for widget in (self.pages, self.note):
             column.addWidget(widget)
         column.addLayout(bed_row)
         column.addWidget(self.list)
@@ -84,6 +87,18 @@ class MachineBox(QtWidgets.QWidget):
         ReturnKey(self.bed, self._take_bed)
         self.list.currentRowChanged.connect(self.mark)
         self.show_for(None)
+
+    def _choosing(self):
+        """The choice, and a button beside it for machines that are not in it."""
+        own = QtWidgets.QToolButton()
+        own.setObjectName("SetUpMachines")
+        own.setText("…")
+        own.setToolTip(translate("Set up machines of your own"))
+        own.clicked.connect(lambda _checked=False: self.set_up.emit())
+        row = QtWidgets.QHBoxLayout()
+        row.addWidget(self.choice, 1)
+        row.addWidget(own)
+        return row
 
     def _ways_on(self):
         """What may be done about a pattern that is larger than the bed."""
