@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import TypeVar
 
 from BalloonWorkbench.app import balloon
+from BalloonWorkbench.app.border import hooks
 from BalloonWorkbench.app.document import create
 from BalloonWorkbench.app.document.kinds import is_artwork, is_balloon
 from BalloonWorkbench.app.document.parts import Parts, panels_of, parts_of
@@ -264,6 +265,35 @@ def assembly_sheet(made: Parts, path, paper: str = "A4") -> Path:
     from BalloonWorkbench.app.engine import maker
 
     return Path(path) if _done else maker.write_assembly(made, path, paper)
+
+
+@_bordered
+def test_card(machine: str, folder, bed: str | None = None, **tried) -> list[Path]:
+    """Write the files of a card on which a machine's tool tries settings into a folder; returns them.
+
+    tried  tool, feed [mm/min], power [%], spindle_speed [1/min], tip_temperature [degrees Celsius], depth
+           [mm]: numbers, or texts such as "140C"; of one or two of them a list
+    Raises InputError, ExportError.
+    """
+    from BalloonWorkbench.core.test_cards.job import write_card
+    from BalloonWorkbench.core.test_cards.tried import read_tried
+
+    if _done:
+        return _done[-1]
+    values = read_tried(tried)
+    _, paths = hooks.run_blocking(
+        "Writing the test card", lambda _progress: write_card(machine, values, folder, bed)
+    )
+    return list(paths)
+
+
+@_bordered
+def keep_field(card, field: str, name: str) -> Path:
+    """Keep what a field of a card (test-card.json) tried as a machine of your own of that name; returns its
+    file. Raises InputError, ExportError."""
+    from BalloonWorkbench.core.test_cards.job import keep_field
+
+    return _done[-1] if _done else keep_field(card, field, name)
 
 
 @contextmanager

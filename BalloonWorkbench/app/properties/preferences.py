@@ -15,7 +15,7 @@ from BalloonWorkbench.app.properties.property_table import Property, shown_value
 
 PATH = "User parameter:BaseApp/Preferences/Mod/BalloonWorkbench"
 _BEDS = f"{PATH}/Beds"  # by the name of the machine, as text
-_RECENT = "RecentExportFolder"
+_RECENT, _CARD = "RecentExportFolder", "RecentTestCard"
 _MACHINE = "FilmBalloonMachine"  # of a document
 _GENERAL, _OPENED = "User parameter:BaseApp/Preferences/General", "FileOpenSavePath"  # FreeCAD's own
 _folders: dict[str, str] = {}  # where files went, by the document
@@ -126,12 +126,13 @@ def put_machine(doc, name: str) -> None:
 
 def export_folder(doc) -> Path:
     """Where files go: the folder that the user prefers, else the last one for this document, else beside it,
-    else the last one for any document, else the home folder.
+    else the last one for any document, else the home folder. There may be no document.
     """
     if get("ExportFolder"):
         return Path(get("ExportFolder"))
-    document = Path(doc.FileName).parent if doc.FileName else ""
-    known = (_folders.get(doc.FileName or doc.Name, ""), document, App.ParamGet(PATH).GetString(_RECENT, ""))
+    file, name = (doc.FileName, doc.Name) if doc is not None else ("", "")
+    document = Path(file).parent if file else ""
+    known = (_folders.get(file or name, ""), document, App.ParamGet(PATH).GetString(_RECENT, ""))
     return next((Path(folder) for folder in known if folder and Path(folder).is_dir()), Path.home())
 
 
@@ -139,6 +140,17 @@ def put_export_folder(doc, folder) -> None:
     """Remember where a document's file went."""
     _folders[doc.FileName or doc.Name] = str(folder)
     App.ParamGet(PATH).SetString(_RECENT, str(folder))
+
+
+def recent_card() -> str:
+    """The file of the test card that was written last; empty where it is not there any more."""
+    path = App.ParamGet(PATH).GetString(_CARD, "")
+    return path if path and Path(path).is_file() else ""
+
+
+def put_recent_card(path) -> None:
+    """Remember the file of a test card."""
+    App.ParamGet(PATH).SetString(_CARD, str(path))
 
 
 def open_folder() -> str:

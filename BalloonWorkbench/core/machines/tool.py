@@ -178,10 +178,16 @@ def tool_data(tool: MachineTool) -> dict[str, Any]:
     }
 
 
+def file_key(option: str) -> str:
+    """The key in a machine's file of what a field of ToolOptions sets."""
+    return _VALUES[_OF_OPTIONS.get(option, option)].key if option != "tool" else "kind"
+
+
 def value_text(tool: MachineTool, option: str) -> str:
-    """The value of a tool that a field of ToolOptions sets, for people."""
+    """The value of a tool that a field of ToolOptions sets, for people; empty where it is not known."""
     name = _OF_OPTIONS.get(option, option)
-    return _VALUES[name].show(getattr(tool, name))
+    value = getattr(tool, name)
+    return "" if value is None else _VALUES[name].show(value)
 
 
 def changed(tool: MachineTool, wishes: ToolOptions) -> MachineTool:
@@ -221,15 +227,19 @@ def lacking(tool: MachineTool, controller: str) -> str:
 
     Only Marlin heats a tip itself; beside other controllers something else does.
     """
-    needed = [name for name in _NEEDS[tool.kind] if name != "temperature" or controller == MARLIN]
-    missing = [_VALUES[name] for name in needed if getattr(tool, name) is None]
+    missing = [_VALUES[name] for name in needed(tool.kind, controller) if getattr(tool, name) is None]
     if not missing:
         return ""
     return (
         f"Nobody but you knows the {_listed([value.what for value in missing])} of your {_NAMES[tool.kind]}"
-        f" for this film: give {_listed([value.flag for value in missing])}, or"
-        f" {_listed([value.key for value in missing])} of the tool in a machine file of your own."
+        " for this film: fill in My machines in FreeCAD, or give"
+        f" {_listed([value.flag for value in missing])}."
     )
+
+
+def needed(kind: str, controller: str) -> list[str]:
+    """The values that a kind of tool cannot do without."""
+    return [name for name in _NEEDS[kind] if name != "temperature" or controller == MARLIN]
 
 
 def _listed(words: list[str]) -> str:

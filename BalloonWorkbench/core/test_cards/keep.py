@@ -10,6 +10,9 @@ from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.files.data_file import UNUSABLE, read_data
 from BalloonWorkbench.core.machines.machine import machine_of
 from BalloonWorkbench.core.machines.own.keep import copied
+from BalloonWorkbench.core.machines.tool import read_tool, value_text
+from BalloonWorkbench.core.options.making import ToolOptions
+from BalloonWorkbench.core.options.option import Kind, options_of
 
 
 def kept_machine(card: Path, field: str, name: str) -> dict[str, Any]:
@@ -30,6 +33,24 @@ def kept_machine(card: Path, field: str, name: str) -> dict[str, Any]:
     except (*UNUSABLE, InputError) as error:
         raise InputError(f"The field {field} of this card makes no machine: {error}") from None
     return made
+
+
+def fields_of(card: Path) -> dict[str, str]:
+    """The fields of a card by name, each with what it tried, or why it cannot be kept.
+
+    Raises InputError for a file that is no card.
+    """
+    fields = {}
+    for name, data in _read(card)["fields"].items():
+        try:
+            tool = read_tool(data)
+        except (*UNUSABLE, InputError) as error:
+            fields[str(name)] = str(error)
+            continue
+        options = (option.name for option in options_of(ToolOptions) if option.kind is not Kind.CHOICE)
+        known = [value_text(tool, option) for option in options]
+        fields[str(name)] = ", ".join(filter(None, known))
+    return fields
 
 
 def _read(path: Path) -> dict[str, Any]:

@@ -19,6 +19,7 @@ from BalloonWorkbench.gui.commands.making import (
     ExportPattern,
     Machines,
     Nest,
+    TestCard,
 )
 from BalloonWorkbench.gui.commands.results import AdviceCommand, Animate, ColourMapCommand, StudyCommand
 
@@ -42,6 +43,7 @@ _COMMANDS = {
 #: In the menu only.
 _RARE = {
     "BalloonWorkbench_Machines": Machines,
+    "BalloonWorkbench_TestCard": TestCard,
     "BalloonWorkbench_Examples": examples.Examples,
     "BalloonWorkbench_Equipment": Equipment,
 }

@@ -119,3 +119,20 @@ class Machines(Command):
         from BalloonWorkbench.gui.panels.making.machines import MachinesPanel
 
         show(MachinesPanel())
+
+
+class TestCard(Command):
+    """Opens the panel that makes a test card, and keeps what came out of one."""
+
+    drawing = "test_card"
+    menu_text = QT_TRANSLATE_NOOP("BalloonWorkbench_TestCard", "Test card")
+    tool_tip = QT_TRANSLATE_NOOP(
+        "BalloonWorkbench_TestCard",
+        "Find feed, power, temperature or depth of a tool for a film: weld or cut a card of fields",
+    )
+
+    def Activated(self):
+        from BalloonWorkbench.gui.panels import show
+        from BalloonWorkbench.gui.panels.making.test_card import TestCardPanel
+
+        show(TestCardPanel())

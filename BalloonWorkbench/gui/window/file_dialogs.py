@@ -29,6 +29,11 @@ def ask_for_body(parent) -> str | None:
     return _ask(parent, translate("Choose a body"), _kind(translate("Bodies"), _BODIES))
 
 
+def ask_for_card(parent) -> str | None:
+    """The path of the file of a test card; None where the user does not choose one."""
+    return _ask(parent, translate("Choose a test card"), _kind(translate("Test cards"), ("json",)))
+
+
 def ask_for_picture(parent, *more: str) -> str | None:
     """The path of a picture, also with more endings; None where the user does not choose one."""
     return _ask(parent, translate("Choose a picture"), _kind(translate("Pictures"), _PICTURES + more))

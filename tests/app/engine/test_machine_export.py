@@ -112,7 +112,7 @@ def test_gcode_takes_what_only_the_user_knows_from_an_own_file(pattern, tmp_path
     content = export_for(pattern, "foil", tmp_path).read_text("ascii")
     assert "M4 S400" in content
     (finding,) = (each for each in check_for(pattern, "gcode-grbl") if each.severity == "error")
-    assert "power_percent of the tool in a machine file of your own" in finding.text
+    assert "fill in My machines" in finding.text
     with pytest.raises(ExportError, match="feed and power of your laser"):
         export_for(pattern, "gcode-grbl", tmp_path)
     assert len(list(tmp_path.iterdir())) == 2

@@ -16,7 +16,9 @@ from BalloonWorkbench.core.machines.own.keep import machine_bytes, machine_data
 from BalloonWorkbench.core.machines.tool import read_tool, tool_data
 from BalloonWorkbench.core.test_cards.card import CUT_OUT, SettingsCard, make_card
 from BalloonWorkbench.core.test_cards.files import CARD_FILE, card_files
-from BalloonWorkbench.core.test_cards.keep import kept_machine
+from BalloonWorkbench.core.test_cards.job import keep_field, write_card
+from BalloonWorkbench.core.test_cards.keep import fields_of, kept_machine
+from BalloonWorkbench.core.test_cards.tried import read_tried
 from BalloonWorkbench.core.units import from_mm, parse_temperature
 
 HOT = {"feed": [200.0, 300.0, 400.0], "tip_temperature": [parse_temperature(f"{c}C") for c in (140, 160)]}
@@ -142,3 +144,56 @@ def test_fields_and_names_that_there_are_not(tmp_path: Path) -> None:
         with pytest.raises(InputError, match="name of a machine"):
             kept_machine(file, "A1", name)
     assert kept_machine(file, " a1 ", "mine")["tool"]["power_percent"] == 20.0
+
+
+def test_settings_as_people_write_them() -> None:
+    """Texts, numbers and lists give what the command line gives; units may be others."""
+    written = {
+        "feed": "200, 300,400",
+        "tip_temperature": ["140C", "320 F"],
+        "depth": "0.2",
+        "power": "",
+        "tool": "hot-tip",
+    }
+    tried = read_tried(written)
+    assert tried == {
+        "feed": [200.0, 300.0, 400.0],
+        "tip_temperature": pytest.approx([parse_temperature("140C"), parse_temperature("160C")]),
+        "depth": pytest.approx([from_mm(0.2)]),
+        "tool": ["hot-tip"],
+    }
+    assert read_tried({"depth": 0.2, "feed": (200, 300)}) == read_tried({"depth": "0.2mm", "feed": "200,300"})
+
+
+@pytest.mark.parametrize(
+    ("written", "sentence"),
+    [
+        ({"speed": 3}, 'no "speed"'),
+        ({"feed": "200, fast"}, "'fast' is no number"),
+        ({"tool": "saw"}, 'the tool "saw" is none'),
+        ({"depth": "deep"}, "not a length"),
+        ({"tip_temperature": None}, "'None' is not a temperature"),
+    ],
+)
+def test_settings_that_are_none(written: dict, sentence: str) -> None:
+    with pytest.raises(InputError, match=sentence):
+        read_tried(written)
+
+
+def test_the_whole_way_from_settings_to_a_machine(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("BALLOON_MACHINES", str(tmp_path / "machines"))
+    tried = read_tried({"feed": "200,300", "tip_temperature": "140,160", "depth": 0.2})
+    _, paths = write_card("gcode-marlin", tried, tmp_path / "card", bed="90 x 130 mm")
+    assert fields_of(paths[-1]) == {
+        "A1": "200 mm/min, 140C, 0.2 mm",
+        "A2": "300 mm/min, 140C, 0.2 mm",
+        "B1": "200 mm/min, 160C, 0.2 mm",
+        "B2": "300 mm/min, 160C, 0.2 mm",
+    }
+    assert keep_field(paths[-1], "B2", "Tip for PE").name == "tip-for-pe.json"
+    assert machine("Tip for PE").title == "Tip for PE"
+    with pytest.raises(InputError, match="There is a machine"):
+        keep_field(paths[-1], "B1", "tip for pe")
+    with pytest.raises(InputError, match="test card measures"):
+        write_card("gcode-marlin", tried, tmp_path / "other", bed="20 x 20 mm")
+    assert not (tmp_path / "other").exists()

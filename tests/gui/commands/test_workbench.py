@@ -41,7 +41,7 @@ def test_toolbar_and_menu_have_the_commands():
     assert [action.text().replace("&", "") for action in bars[0].actions()] == TEXTS
     menus = [menu for menu in window.menuBar().actions() if menu.text().replace("&", "") == "Film Balloon"]
     entries = [action.text().replace("&", "") for action in menus[0].menu().actions()]
-    assert entries == [*TEXTS, "", "My machines", "Examples", "What works here"]
+    assert entries == [*TEXTS, "", "My machines", "Test card", "Examples", "What works here"]
 
 
 @pytest.mark.parametrize("name", COMMANDS)

@@ -42,6 +42,7 @@ def test_panels(made, beat):
         "AssemblySheet",
         "Study",
         "Machines",
+        "TestCard",
     ):
         beat.reset()
         Gui.runCommand(f"BalloonWorkbench_{name}")

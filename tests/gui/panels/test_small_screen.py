@@ -131,6 +131,7 @@ COMMANDS = (
     "ColourMap",
     "Animate",
     "Machines",
+    "TestCard",
     "Equipment",
 )
 

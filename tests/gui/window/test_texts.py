@@ -37,7 +37,7 @@ def texts_of(widget) -> Iterator[str]:
 
 
 #: Fields in which users write names of files.
-FILES = ("Drawing", "File", "AssemblyFile", "Folder", "PreferredExportFolder")
+FILES = ("Drawing", "File", "AssemblyFile", "Folder", "CardFolder", "PreferredExportFolder")
 
 
 def test_tooltips_of_commands_show_no_address():
@@ -52,7 +52,7 @@ PANELS = ("Advice", "Animate", "Artwork", "AssemblySheet", "ColourMap", "ExportP
 
 def test_nothing_shows_an_address(made):
     """All widgets of a panel, on all its pages, and of the window's own bars."""
-    for command in (*PANELS, "balloon", "Equipment", "Machines", "Paint"):
+    for command in (*PANELS, "balloon", "Equipment", "Machines", "TestCard", "Paint"):
         shown = _shown_by(command, made)
         assert len(shown) > 20, command
         own = str(Path(made.outline.Document.FileName).parent)  # where the user's file goes may be told

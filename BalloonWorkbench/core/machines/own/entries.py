@@ -161,7 +161,7 @@ def with_entry(data: Mapping[str, Any], entry: MachineEntry, value: Any) -> dict
     if entry.key == "kind":
         return _with_tool(data, value)
     if not entry.titles and isinstance(value, str) and entry.key != NOTE:
-        value = _number(entry, value)
+        value = entry_number(entry, value) if value.strip() else None
     if not entry.of_tool:
         return _put(data, entry.key, value)
     tool = _put(data["tool"], entry.key, value)
@@ -178,15 +178,13 @@ def _put(data: Mapping[str, Any], key: str, value: Any) -> dict[str, Any]:
     )
 
 
-def _number(entry: MachineEntry, text: str) -> float | None:
-    """What is typed, in the entry's unit or one of its own; None for nothing."""
+def entry_number(entry: MachineEntry, text: str) -> float:
+    """The number that is typed, in the entry's unit or with one of its own. Raises InputError for none."""
     plain = text.replace(",", ".").strip()
-    if not plain:
-        return None
-    has_unit = plain[-1] not in "0123456789."
+    has_unit = bool(plain) and plain[-1] not in "0123456789."
     if entry.unit == "mm":
         number = to_mm(parse_length(plain if has_unit else f"{plain}mm"))
-    elif entry.key == "temperature_C":
+    elif entry.unit == "°C":
         number = parse_temperature(plain if has_unit else f"{plain}C") - 273.15
     else:
         number = _plain_number(entry, plain.removesuffix(entry.unit).strip())
