@@ -9,7 +9,7 @@ _API = (
     *("from_picture", "from_sketch", "from_profile", "from_panels", "from_body"),
     *("parts", "panels", "change", "inflate", "findings", "repair"),
     *("export", "tool_paths", "artwork", "sketch", "nest", "assembly_sheet", "study"),
-    *("test_card", "keep_field"),
+    *("test_card", "keep_field", "compare", "fit_film"),
 )
 
 

@@ -296,6 +296,42 @@ def keep_field(card, field: str, name: str) -> Path:
     return _done[-1] if _done else keep_field(card, field, name)
 
 
+@_bordered
+def compare(made: Parts, photo, scale: str, rim=None, folder=None):
+    """A photograph of an inflated balloon of two equal panels beside it: `comparison.residual` has the mean,
+    95 % and largest difference [m]. Writes compare.png and compare.json into a folder.
+
+    scale  "812,300mm" (pixels and length), "x1,y1,x2,y2,300mm" or "fit"; rim: how far weld and film reach
+           beyond the seam in the photograph [mm], as in the pattern without it
+    Raises BalloonError, also where the photograph shows no balloon, or another one.
+    """
+    from BalloonWorkbench.app.as_made import photo_comparison
+
+    if _done:
+        return _done[-1]
+    job = photo_comparison.comparing(made, photo, scale, rim)
+    compared = hooks.run_blocking("Comparing with the photograph", job)
+    if folder is not None:
+        photo_comparison.write(compared, folder)
+    return compared
+
+
+@_bordered
+def fit_film(made: Parts, photo, scale: str, rim=None, replace: bool = False) -> Path:
+    """Find from a photograph how much a balloon's film has stretched and how far the weld drew the seam in,
+    and keep both as a film of your own, such as mylar-as-made; returns its file.
+
+    photo, scale, rim as for `compare`; replace: a film of this name may be replaced. Raises BalloonError.
+    """
+    from BalloonWorkbench.app.as_made import photo_comparison
+
+    if _done:
+        return _done[-1]
+    job = photo_comparison.comparing(made, photo, scale, rim, fit=True)
+    compared = hooks.run_blocking("Comparing with the photograph", job)
+    return photo_comparison.keep_film(made.balloon, compared, photo, replace)
+
+
 @contextmanager
 def already_done(result):
     """Calls return this instead of working: the window has worked, and writes the call into the macro."""

@@ -75,7 +75,7 @@ def shapes_in(file: File, size: tuple, symmetry: str, drawn_as: str):
     from BalloonWorkbench.core.outline.validity import scale_to
     from BalloonWorkbench.core.readers import read
 
-    drawing, kind = read.read_drawing(file.path, *size, decode=_decoder(), drawn_as=drawn_as)
+    drawing, kind = read.read_drawing(file.path, *size, decode=decoder(), drawn_as=drawn_as)
     drawing = scale_to(evened(drawing, symmetry, drawn=kind == "picture"), *size)
     if is_painting(file.path):
         first, *others = drawing.parts
@@ -90,11 +90,11 @@ def pixels_of(file: File):
     from BalloonWorkbench.core.tracing.picture_file import decode, picture_size
 
     picture_size(file.path)
-    return (_decoder() or decode)(file.path)
+    return (decoder() or decode)(file.path)
 
 
-def _decoder():
-    """None for OpenCV, which the engine prefers; FreeCAD's own Qt where that does not work."""
+def decoder():
+    """What reads pictures: None for OpenCV, which the engine prefers; FreeCAD's Qt where it does not work."""
     from BalloonWorkbench.core.tracing.raster import opencv
 
     if opencv() is not None:

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from BalloonWorkbench.core.checkpoint import checkpoint
 from BalloonWorkbench.core.geometry.nearest import nearest_on_loops, nearest_places
 from BalloonWorkbench.core.geometry.normals import left_normals
 from BalloonWorkbench.core.geometry.polyline import arc_lengths, centroid, extent
@@ -147,6 +148,7 @@ class _Fit:
         points, across = self._points(count)
         matrix, shift = start.matrix, start.shift
         for _ in range(_STEPS):
+            checkpoint()
             here = points @ matrix.T + shift
             turn, moved, about = self._step(here, across @ matrix.T / np.sqrt(abs(np.linalg.det(matrix))))
             matrix, shift = turn @ matrix, turn @ (shift - about) + about + moved

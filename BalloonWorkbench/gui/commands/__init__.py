@@ -21,7 +21,13 @@ from BalloonWorkbench.gui.commands.making import (
     Nest,
     TestCard,
 )
-from BalloonWorkbench.gui.commands.results import AdviceCommand, Animate, ColourMapCommand, StudyCommand
+from BalloonWorkbench.gui.commands.results import (
+    AdviceCommand,
+    Animate,
+    ColourMapCommand,
+    CompareCommand,
+    StudyCommand,
+)
 
 _COMMANDS = {
     "BalloonWorkbench_Paint": Paint,
@@ -38,6 +44,7 @@ _COMMANDS = {
     "BalloonWorkbench_Nest": Nest,
     "BalloonWorkbench_ExportPattern": ExportPattern,
     "BalloonWorkbench_AssemblySheet": AssemblySheet,
+    "BalloonWorkbench_Compare": CompareCommand,
 }
 
 #: In the menu only.

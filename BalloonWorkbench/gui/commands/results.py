@@ -97,3 +97,20 @@ class StudyCommand(ResultCommand):
                 chosen = study.make(doc, solved_parts(), variables, table)
                 doc.recompute()
             show(StudyPanel(chosen))
+
+
+class CompareCommand(ResultCommand):
+    """Opens the panel that compares the selected balloon with a photograph."""
+
+    drawing = "compare"
+    menu_text = QT_TRANSLATE_NOOP("BalloonWorkbench_Compare", "Compare with a photograph")
+    tool_tip = QT_TRANSLATE_NOOP(
+        "BalloonWorkbench_Compare",
+        "Lay a photograph of the finished balloon over the simulated one, and see how near it came",
+    )
+
+    def Activated(self):
+        from BalloonWorkbench.gui.panels import show
+        from BalloonWorkbench.gui.panels.results.comparison import ComparisonPanel
+
+        show(ComparisonPanel(solved_parts()))

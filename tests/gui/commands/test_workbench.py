@@ -8,7 +8,7 @@ import pytest
 from PySide import QtSvg
 
 COMMANDS = ("FromPicture", "FromSketch", "FromProfile", "FromBody", "FromPanels", "Advice", "ColourMap")
-COMMANDS += ("Animate", "Study", "Artwork", "Nest", "ExportPattern", "AssemblySheet")
+COMMANDS += ("Animate", "Study", "Artwork", "Nest", "ExportPattern", "AssemblySheet", "Compare")
 TEXTS = [
     "Paint a balloon",
     "New balloon from picture",
@@ -24,6 +24,7 @@ TEXTS = [
     "Lay out on film",
     "Export pattern",
     "Assembly sheet",
+    "Compare with a photograph",
 ]
 
 
@@ -71,6 +72,7 @@ def test_commands_are_offered_when_they_make_sense():
         "Nest": False,
         "ExportPattern": False,
         "AssemblySheet": False,
+        "Compare": False,
     }
     App.newDocument("Empty")
     assert active["FromSketch"]()

@@ -41,6 +41,7 @@ def test_panels(made, beat):
         "Nest",
         "AssemblySheet",
         "Study",
+        "Compare",
         "Machines",
         "TestCard",
     ):

@@ -130,6 +130,7 @@ COMMANDS = (
     "AssemblySheet",
     "ColourMap",
     "Animate",
+    "Compare",
     "Machines",
     "TestCard",
     "Equipment",

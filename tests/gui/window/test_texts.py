@@ -47,7 +47,8 @@ def test_tooltips_of_commands_show_no_address():
             assert not ADDRESS.search(action.toolTip() + action.statusTip()), name
 
 
-PANELS = ("Advice", "Animate", "Artwork", "AssemblySheet", "ColourMap", "ExportPattern", "Nest", "Study")
+PANELS = ("Advice", "Animate", "Artwork", "AssemblySheet", "ColourMap", "Compare", "ExportPattern", "Nest")
+PANELS += ("Study",)
 
 
 def test_nothing_shows_an_address(made):
