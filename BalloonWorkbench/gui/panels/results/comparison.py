@@ -41,7 +41,7 @@ class ComparisonPanel(TaskPanel):
         self._picture_window = None
         self.form = QtWidgets.QWidget()
         self.form.setObjectName("ComparisonPanel")
-        self.form.setWindowTitle(translate("Compare with a photograph"))
+        self.form.setWindowTitle(translate("As made"))
         self.form.setWindowIcon(QtGui.QIcon(icon("compare")))
         self._make_fields()
         self._make_answers()
@@ -82,8 +82,8 @@ class ComparisonPanel(TaskPanel):
                 " folded back"
             )
         )
-        self.unknown = QtWidgets.QCheckBox(translate("Size unknown, only the shape"))
-        self.unknown.setToolTip(translate("The balloon is made as large as fits best"))
+        self.unknown = QtWidgets.QCheckBox(translate("Size unknown"))
+        self.unknown.setToolTip(translate("Only the shape is compared, at the size that fits best"))
         self.fit = QtWidgets.QCheckBox(translate("Fit the film, too"))
         self.fit.setToolTip(
             translate("Find how much the film stretched, and how far the weld draws the seam inward")

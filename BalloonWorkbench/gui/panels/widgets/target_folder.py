@@ -7,38 +7,50 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from BalloonWorkbench.app.properties import preferences
-from BalloonWorkbench.gui.panels.widgets.file_row import FileRow
+from BalloonWorkbench.gui.panels.widgets.narrow import ElidedLabel
 from BalloonWorkbench.gui.qt import QtWidgets, translate
 
 
 class TargetFolder(QtWidgets.QWidget):
-    """A line for the folder, which is made when it is missing, and a button that chooses one.
+    """A line for the name of the folder, which is made when it is missing; below, the folder that it is in.
 
-    Where files are there already, a box asks whether to replace them.
+    A path may be typed into the line. Where files are there already, a box asks whether to replace them.
     """
 
     def __init__(self, doc, object_name: str, name: str):
         super().__init__()
-        self._base = preferences.export_folder(doc)
-        self.row = FileRow(object_name, "", translate("Folder for the files"), self._ask)
+        self._in = preferences.export_folder(doc)
+        self.line = QtWidgets.QLineEdit()
+        self.line.setObjectName(object_name)
+        self.line.setMinimumWidth(60)
+        browse = QtWidgets.QToolButton()
+        browse.setText("…")
+        browse.setToolTip(translate("Choose a folder"))
+        self.place = ElidedLabel()
         self.replace = QtWidgets.QCheckBox(translate("Replace the files"))
         self.replace.setObjectName(f"{object_name}Replace")
         self.replace.hide()
+        below = QtWidgets.QHBoxLayout()
+        below.addWidget(self.place)
+        below.addWidget(browse)
         column = QtWidgets.QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
-        column.addWidget(self.row)
+        column.addWidget(self.line)
+        column.addLayout(below)
         column.addWidget(self.replace)
-        self.row.chosen.connect(self._show)
-        self.row.path.textEdited.connect(lambda _text: self.replace.setChecked(False))
-        number, folder = 2, self._base / name
-        while folder.exists():
-            number, folder = number + 1, self._base / f"{name}-{number}"
-        self._show(str(folder))
+        number, free = 2, name
+        while (self._in / free).exists():
+            number, free = number + 1, f"{name}-{number}"
+        self._take(free)
+        self.line.editingFinished.connect(lambda: self._take(self.line.text()))
+        self.line.textEdited.connect(lambda _text: self.replace.setChecked(False))
+        browse.clicked.connect(lambda _checked=False: self._ask())
 
     @property
     def path(self) -> Path:
         """The folder."""
-        return self._base / Path(self.row.path.text().strip()).expanduser()
+        self._take(self.line.text())
+        return self._in / self.line.text()
 
     def objection(self, names: Sequence[str]) -> str:
         """What to say instead of writing files: empty where none is there or they may be replaced."""
@@ -50,11 +62,17 @@ class TargetFolder(QtWidgets.QWidget):
             ", ".join(there)
         )
 
-    def _show(self, folder: str) -> None:
-        self.row.show_name(folder)
-        self.row.path.setToolTip(folder)
+    def _take(self, text: str) -> None:
+        """A path that was typed is a folder, and the one that it is in."""
+        folder = self._in / Path(text.strip()).expanduser()
+        self._in = folder.parent
+        self.line.setText(folder.name)
+        self.place.setText(translate("in {}").format(self._in))
+        for widget in (self.line, self.place):
+            widget.setToolTip(str(folder))
 
-    def _ask(self, parent) -> str:
-        return QtWidgets.QFileDialog.getExistingDirectory(
-            parent, translate("Choose a folder"), str(self._base)
-        )
+    def _ask(self) -> None:
+        path = QtWidgets.QFileDialog.getExistingDirectory(self, translate("Choose a folder"), str(self._in))
+        if path:
+            self.replace.setChecked(False)
+            self._take(path)
