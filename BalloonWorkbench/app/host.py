@@ -30,6 +30,15 @@ def has_screen() -> bool:
     return bool(App.GuiUp)
 
 
+def panels_are_hidden(window) -> bool:
+    """Open panels are not seen: from 1.1 on they lie over a 3D view, and are hidden where there is none."""
+    widgets = qt()[2]
+    dock = window.findChild(widgets.QDockWidget, "Tasks")
+    while dock is not None and dock.metaObject().className() != "Gui::OverlayTabWidget":
+        dock = dock.parentWidget()
+    return dock is not None and bool(dock.isHidden())
+
+
 def is_replaying(document) -> bool:
     """The document is being restored, undone or redone: properties change, but nobody edits."""
     return bool(document.Restoring or getattr(document, "Transacting", False))

@@ -8,7 +8,7 @@ import FreeCADGui as Gui
 from BalloonWorkbench.app.properties.property_table import QT_TRANSLATE_NOOP
 from BalloonWorkbench.core.errors import FetchError
 from BalloonWorkbench.gui.commands.command import Command
-from BalloonWorkbench.gui.panels import show
+from BalloonWorkbench.gui.panels import show_alone
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, number_of, translate
 from BalloonWorkbench.gui.window import native_offer
 from BalloonWorkbench.gui.window.borders import TaskPanel
@@ -26,7 +26,7 @@ class Equipment(Command):
     )
 
     def Activated(self):
-        show(_Panel())
+        show_alone(_Panel())
 
 
 class _Panel(TaskPanel):

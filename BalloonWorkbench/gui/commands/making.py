@@ -115,10 +115,10 @@ class Machines(Command):
     )
 
     def Activated(self):
-        from BalloonWorkbench.gui.panels import show
+        from BalloonWorkbench.gui.panels import show_alone
         from BalloonWorkbench.gui.panels.making.machines import MachinesPanel
 
-        show(MachinesPanel())
+        show_alone(MachinesPanel())
 
 
 class TestCard(Command):
@@ -132,7 +132,7 @@ class TestCard(Command):
     )
 
     def Activated(self):
-        from BalloonWorkbench.gui.panels import show
+        from BalloonWorkbench.gui.panels import show_alone
         from BalloonWorkbench.gui.panels.making.test_card import TestCardPanel
 
-        show(TestCardPanel())
+        show_alone(TestCardPanel())

@@ -8,6 +8,7 @@ from functools import partial
 import FreeCAD as App
 import FreeCADGui as Gui
 
+from BalloonWorkbench.app.host import panels_are_hidden
 from BalloonWorkbench.gui.qt import QtCore, translate
 from BalloonWorkbench.gui.window import borders
 
@@ -36,6 +37,21 @@ def show(panel) -> None:
     if Gui.ActiveDocument is not None:
         # the panel comes to the screen a moment later
         QtCore.QTimer.singleShot(_SHOWN, partial(_keep_in_sight, Gui.ActiveDocument.Document.Name))
+
+
+def show_alone(panel) -> None:
+    """Show a panel that needs no document: where a panel cannot be seen without one, a new one is made."""
+    show(panel)
+    _keep_visible()
+
+
+def _keep_visible() -> None:
+    """While a panel is open; the user may close the last document meanwhile."""
+    if not Gui.Control.activeDialog():
+        return
+    if App.ActiveDocument is None and panels_are_hidden(Gui.getMainWindow()):
+        App.newDocument()
+    QtCore.QTimer.singleShot(_SHOWN, _keep_visible)
 
 
 def _keep_in_sight(name: str) -> None:

@@ -7,7 +7,7 @@ import math
 
 import FreeCADGui as Gui
 
-from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, translate
+from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, position, translate
 
 _ZOOM = 1.25  # a notch of the wheel
 _ARM, _WIDTH = 14, 2  # px
@@ -82,17 +82,17 @@ class _MarkedView(QtWidgets.QGraphicsView):
         self.scale(factor, factor)
 
     def mousePressEvent(self, event):
-        self._pressed = event.pos()
+        self._pressed = position(event).toPoint()
         super().mousePressEvent(event)
 
     def mouseReleaseEvent(self, event):
         super().mouseReleaseEvent(event)
-        start, self._pressed = self._pressed, None
+        start, self._pressed, end = self._pressed, None, position(event).toPoint()
         near = QtWidgets.QApplication.startDragDistance()
-        if not self._marks or start is None or (event.pos() - start).manhattanLength() >= near:
+        if not self._marks or start is None or (end - start).manhattanLength() >= near:
             return
         self.viewport().setCursor(QtCore.Qt.CrossCursor)
-        at = self.mapToScene(event.pos())
+        at = self.mapToScene(end)
         if self._picture.contains(at):
             self._mark(at.x(), at.y())
 
