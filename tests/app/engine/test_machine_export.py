@@ -177,7 +177,7 @@ def test_what_is_larger_is_written_or_scaled_when_asked(square, tmp_path):
 
 def test_nothing_changes_where_no_size_fits(square):
     with pytest.raises(ExportError, match="another machine"):
-        scale_to_bed(square.pattern, "inkscape", "8 mm")
+        scale_to_bed(square.pattern, "inkscape", "10 mm")
     assert square.outline.Width.Value == pytest.approx(300)
     assert square.pattern.Status == status.READY
 

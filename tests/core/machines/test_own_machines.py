@@ -109,7 +109,7 @@ def test_what_is_left_empty_is_not_known_or_as_usual() -> None:
     made = machine_of(data)
     assert made.tool is not None
     assert (made.tool.feed, made.kerf, made.tool.lift) == (None, 0.0, from_mm(5.0))
-    assert made.overcut == pytest.approx(from_mm(1.2)), "four times the knife's offset"
+    assert made.overcut == pytest.approx(from_mm(1.8)), "six times the knife's offset"
 
 
 @pytest.mark.parametrize(

@@ -127,7 +127,7 @@ ENTRIES = (
     MachineEntry("knife_offset_mm", label="Knife offset", unit="mm", has=_swivels,
         tip="How far a swivel knife or wheel lies behind its axis; 0 where the machine makes up for it"),
     MachineEntry("overcut_mm", label="Overcut", unit="mm", has=_cuts,
-        tip="How far a closed cut runs past its start; empty: four times the knife's offset"),
+        tip="How far a closed cut runs past its start; empty: six times the knife's offset"),
     MachineEntry("overrun_mm", label="Weld overrun", unit="mm", has=_welds,
         tip="How far a closed weld runs past its start, so that the joint is tight"),
     MachineEntry("control_bar", label="Bar of 100 mm to measure",
