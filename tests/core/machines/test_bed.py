@@ -55,7 +55,8 @@ def test_beds_as_people_write_them(text: str, size: tuple[float, float] | None) 
 
 
 @pytest.mark.parametrize(
-    "text", ["", "large", "600x400", "100x100", "20", "0mm", "-5mm x 3mm", "1x2x3mm", "nan mm", "1e9 mm"]
+    "text",
+    ["", "large", "600x400", "100x100", "20", "0mm", "-5mm x 3mm", "1x2x3mm", "nan mm", "1e9 mm", "1mm"],
 )
 def test_senseless_beds(text: str) -> None:
     """Also numbers without a unit, which would be metres."""
@@ -142,7 +143,7 @@ def test_what_fits_stays() -> None:
 
 def test_a_bed_that_nothing_fits() -> None:
     with pytest.raises(ExportError, match="another machine"):
-        bed.scale_to_fit(disc(), [machine("inkscape", "6mm")], disc)
+        bed.scale_to_fit(disc(), [machine("inkscape", "10mm")], disc)
 
 
 def test_every_refusal_offers_a_way_on() -> None:

@@ -201,7 +201,7 @@ def test_what_is_written_is_what_is_checked() -> None:
 def test_knives_run_past_their_start(tmp_path: Path) -> None:
     """As far as the file says; else as far as a knife takes to swing round. Nothing else does."""
     assert {name for name, known in machines().items() if known.overcut} == {"hpgl-plotter"}
-    assert read_machine(changed(tmp_path, knife_offset_mm=0.25)).overcut == pytest.approx(0.001)
+    assert read_machine(changed(tmp_path, knife_offset_mm=0.25)).overcut == pytest.approx(0.0015)
     assert read_machine(changed(tmp_path, knife_offset_mm=0.25, overcut_mm=0)).overcut == 0.0
     knife = read_machine(changed(tmp_path, overcut_mm=2))
     pattern = pattern_of(Contour(Role.SEAL, SQUARE * 0.9 + 0.005, True), Contour(Role.CUT, SQUARE, True))
