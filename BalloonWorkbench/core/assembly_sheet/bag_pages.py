@@ -15,6 +15,7 @@ from BalloonWorkbench.core.assembly_sheet.first_page import FirstPage, draw_firs
 from BalloonWorkbench.core.assembly_sheet.page import page_size, written
 from BalloonWorkbench.core.assembly_sheet.pen import ACCENT, INK, RULE, Pen
 from BalloonWorkbench.core.assembly_sheet.steps import steps
+from BalloonWorkbench.core.assembly_sheet.work_settings import NO_SETTINGS, WorkSettings
 from BalloonWorkbench.core.bag_design.bag_design import BagDesign
 from BalloonWorkbench.core.bag_pattern.bag_patterns import BagPatterns
 from BalloonWorkbench.core.bag_pattern.order import LAST, JoinStep
@@ -39,13 +40,15 @@ _FILM = "#c3cad6"
 
 @dataclass(frozen=True)
 class BagSubject:
-    """What the sheet is about: a name, what it is made of, its design, its panels and its numbers."""
+    """What the sheet is about: a name, what it is made of, its design, its panels, its numbers, and the
+    user's settings of machines."""
 
     title: str
     film: Film
     design: BagDesign
     patterns: BagPatterns
     numbers: Numbers
+    settings: WorkSettings = NO_SETTINGS
 
     def name(self, panel: int) -> str:
         """A panel's name in letters that fonts have."""
@@ -69,7 +72,7 @@ def bag_assembly_pdf(subject: BagSubject, paper: str = "A4", say: Say = in_engli
         (across, up, over),
         say(f"Pattern, {count} panels"),
         partial(bag_picture, subject.design, colour=colour, seams={}),
-        steps(patterns.sheet, film, subject.numbers, say, panels=patterns),
+        steps(patterns.sheet, film, subject.numbers, say, panels=patterns, settings=subject.settings),
     )
     names = "".join(map(subject.name, patterns.panels))
     fonts = fonts_for(say("Assembly sheet"), name + say(film.title) + names)

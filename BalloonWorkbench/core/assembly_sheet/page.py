@@ -11,6 +11,7 @@ import numpy as np
 from BalloonWorkbench.core.assembly_sheet.first_page import FirstPage, draw_first_page
 from BalloonWorkbench.core.assembly_sheet.pen import Pen
 from BalloonWorkbench.core.assembly_sheet.steps import steps
+from BalloonWorkbench.core.assembly_sheet.work_settings import NO_SETTINGS, WorkSettings
 from BalloonWorkbench.core.errors import ExportError
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.making.numbers import Numbers
@@ -28,13 +29,15 @@ PAGES = {"A4": (210.0, 297.0), "Letter": (215.9, 279.4)}
 
 @dataclass(frozen=True)
 class SheetSubject:
-    """What the sheet is about: a name, what it is made of, how it inflates, its panel and its numbers."""
+    """What the sheet is about: a name, what it is made of, how it inflates, its panel, its numbers, and the
+    user's settings of machines."""
 
     title: str
     film: Film
     inflation: Inflation
     pattern: Pattern
     numbers: Numbers
+    settings: WorkSettings = NO_SETTINGS
 
 
 def assembly_pdf(subject: SheetSubject, paper: str = "A4", say: Say = in_english) -> bytes:
@@ -57,7 +60,7 @@ def assembly_pdf(subject: SheetSubject, paper: str = "A4", say: Say = in_english
         (across, up, over),
         say("Pattern, cut two (one mirrored)"),
         partial(_image, subject),
-        steps(subject.pattern, film, subject.numbers, say),
+        steps(subject.pattern, film, subject.numbers, say, settings=subject.settings),
     )
     fonts = fonts_for(say("Assembly sheet"), name + say(film.title))
     title = f"{name}: {say('Assembly sheet')}"

@@ -6,6 +6,7 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
+from BalloonWorkbench.core.assembly_sheet.work_settings import CARD, NO_SETTINGS, OWN, START, WorkSettings
 from BalloonWorkbench.core.bag_pattern.bag_patterns import BagPatterns
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.files.data_file import RESOURCES, UNUSABLE, read_data
@@ -26,11 +27,13 @@ def steps(
     say: Say = in_english,
     *,
     panels: BagPatterns | None = None,
+    settings: WorkSettings = NO_SETTINGS,
 ) -> list[str]:
     """What to do, a few sentences each, in order. InputError when the data file is broken.
 
     panels  of a balloon of many; None for two equal ones
     """
+    known = OWN if settings.weld else START if film.start_values.is_known else CARD
     kinds = [intake_kind(intake.kind) for intake in pattern.intakes]
     safe = numbers.safety.safe_pressure
     is_so = {
@@ -46,6 +49,7 @@ def steps(
         "tabs": panels is not None and any(seam.tabs for seam in panels.seams),
         "caps": panels is not None and panels.caps > 0,
         "safe": None if safe is None else safe >= numbers.safety.pressure,
+        "cut_settings": bool(settings.cut),
     }
     words = {
         "film": film.title or film.name,
@@ -53,6 +57,9 @@ def steps(
         "pressure": pressure_text(numbers.safety.pressure),
         "safe": "" if safe is None else pressure_text(safe),
         "margin": number_text(numbers.safety.margin),
+        "start_values": film.start_values.sentence(),
+        "start_sources": "; ".join(film.start_values.sources),
+        **vars(settings),
     }
     names = list(dict.fromkeys(kind.name for kind in kinds))
     sentences = []
@@ -61,8 +68,10 @@ def steps(
             sentences += [say(intake_kind(name).note) for name in names if name in step["notes"]]
         elif "intakes" in step and not set(names) & set(step["intakes"]):
             continue
-        elif film.joining in step.get("joining", [film.joining]) and all(
-            is_so[key] is step[key] for key in is_so if key in step
+        elif (
+            film.joining in step.get("joining", [film.joining])
+            and known in step.get("settings", [known])
+            and all(is_so[key] is step[key] for key in is_so if key in step)
         ):
             sentences.append(say(str(step["text"]).format(**words)))
     return sentences

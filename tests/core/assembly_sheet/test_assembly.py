@@ -16,6 +16,7 @@ from matplotlib.image import imread
 
 from BalloonWorkbench.core.assembly_sheet.page import PAGES, SheetSubject, assembly_pdf
 from BalloonWorkbench.core.assembly_sheet.steps import steps
+from BalloonWorkbench.core.assembly_sheet.work_settings import WorkSettings
 from BalloonWorkbench.core.errors import ExportError
 from BalloonWorkbench.core.film.filling import Filling
 from BalloonWorkbench.core.film.library import film
@@ -153,6 +154,38 @@ def test_the_valve_is_drawn(tmp_path: Path) -> None:
         told = told_by("pdftotext", "-layout", path, "-")
         for text in ("Valve, on one panel", "Tacked to one panel", "Welded across, last", "thin PE film"):
             assert (text in told) == (kind == "film-valve"), text
+
+
+@pytest.mark.parametrize(
+    ("film_name", "settings", "told"),
+    [
+        (
+            "nylon-foil",
+            WorkSettings(),
+            "Start values, not tried on your film and tool: bar or iron 108C to 118C",
+        ),
+        ("mylar", WorkSettings(), "Make a test card"),
+        ("mylar", WorkSettings("Tip", "feed 300 mm/min"), "To weld, your settings of Tip: feed 300 mm/min."),
+        (
+            "pe",
+            WorkSettings("Tip", "feed 300 mm/min", "Laser", "power 35 %"),
+            "your settings of Laser: power",
+        ),
+        ("pvc", WorkSettings("Tip", "feed 300 mm/min"), ""),
+    ],
+)
+def test_settings_of_the_user_come_first_then_start_values(
+    film_name: str, settings: WorkSettings, told: str
+) -> None:
+    """The weld is told once; of a film that is not welded by heat nothing is."""
+    about = subject("disc", film_name)
+    work = steps(about.pattern, about.film, about.numbers, settings=settings)
+    begins = ("To weld, your settings", "Start values", "Nobody states a temperature")
+    assert len([step for step in work if step.startswith(begins)]) == (film_name != "pvc")
+    assert any(told in step for step in work)
+    cut = [number for number, step in enumerate(work) if step.startswith("To cut, your settings")]
+    assert len(cut) == bool(settings.cut)
+    assert all(number < next(k for k, step in enumerate(work) if "Cut two panels" in step) for number in cut)
 
 
 def test_unknown_paper_is_refused() -> None:
