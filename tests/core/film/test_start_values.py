@@ -67,8 +67,9 @@ def test_values_of_our_films_have_sources_and_harm_nothing(known: Film) -> None:
 
 def test_a_film_tells_its_start_values() -> None:
     assert film("pe").first_weld == (
-        "Start values for welding: bar or iron 108C, pressed for 0.5 s to 2 s; hot tip 250C, moved at"
-        " 150 mm/min to 300 mm/min; through PTFE (Yuan et al.; Chenxi Packaging, 2019; leuys, 2d-inflatables)."
+        "Start values for welding: bar or iron 108C, pressed for 0.5 s to 2 s; hot tip 250C, moved"
+        " at 150 mm/min to 300 mm/min; through PTFE"
+        " (Yuan et al.; Chenxi Packaging, 2019; leuys, 2d-inflatables)."
     )
     assert film("mylar").first_weld == "Make a test card: nobody states a temperature for this film."
 
