@@ -11,7 +11,7 @@ import numpy as np
 
 from BalloonWorkbench.core.assembly_sheet.pen import ACCENT, BAND, INK, SOFT
 from BalloonWorkbench.core.geometry.polyline import line_lengths, point_on
-from BalloonWorkbench.core.geometry.vectors import direction, perpendicular
+from BalloonWorkbench.core.geometry.vectors import direction, perpendicular, rotation
 from BalloonWorkbench.core.pages.pdf import draw_line, picture
 from BalloonWorkbench.core.pattern.intake.kinds import RIM, intake_kind
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
@@ -22,6 +22,8 @@ Box = tuple[float, float, float, float]
 _THIN, _THICK, _EDGE = 0.5, 2.4, 0.5  # points
 _WATER, _TUBE, _BORE = "#5b9bd5", "#64748b", "#e2e8f0"
 _DOWN = np.array([0.0, -1.0])
+#: Of the height of a figure's box, what is below a balloon: for a hose with water, for what else hangs.
+_HOSE, _BELOW = 0.34, 0.2
 #: Of a figure's box: room round the balloon, width of a hose's bend, width and height of a weight.
 _ROOM, _BEND, _WEIGHT = 0.07, 0.2, (0.12, 0.1)
 #: Where the water stands in both legs of a hose, of the height of the lower one.
@@ -71,32 +73,35 @@ class FigureStage:
             self.axes.plot(*self.root, marker="o", ms=6.0, mfc="white", mec=INK, mew=0.8)
 
 
-def pattern_stage(axes: Any, box: Box, pattern: Pattern) -> FigureStage:
-    """The panel of two equal ones, as large as the box allows."""
+def pattern_stage(axes: Any, box: Box, hanging: bool, pattern: Pattern) -> FigureStage:
+    """The panel of two equal ones, as large as the box allows; hanging: its neck is turned down."""
+    intake = pattern.intake
+    neck = intake is not None and intake_kind(intake.kind).place == RIM
+    turn = rotation(-0.5 * np.pi - intake.angle) if intake is not None and neck and hanging else np.eye(2)
     cut = max(pattern.of(Role.CUT), key=lambda each: float(np.prod(np.ptp(each.points, axis=0))))
-    low, high = cut.points.min(axis=0), cut.points.max(axis=0)
+    own = cut.points @ turn
+    low, high = own.min(axis=0), own.max(axis=0)
     left, bottom, right, top = box
     room = (1.0 - 2.0 * _ROOM) * np.array([right - left, top - bottom])
     scale = float(np.min(room / (high - low)))
     middle = 0.5 * np.array([left + right, bottom + top])
 
     def place(points: Floats) -> Floats:
-        return np.asarray((points - 0.5 * (low + high)) * scale + middle)
+        return np.asarray((points @ turn - 0.5 * (low + high)) * scale + middle)
 
     lines = {role: tuple(place(each.line) for each in pattern.of(role)) for role in (Role.SEAL, Role.WELD)}
-    intake = pattern.intake
     stage = FigureStage(axes, box, place(cut.points), lines[Role.SEAL], lines[Role.WELD])
     if intake is None:
         return stage
     root, wide = place(intake.at), intake.width * scale
-    if intake_kind(intake.kind).place != RIM:
+    if not neck:
         return replace(stage, mouth=root, root=root, outward=_DOWN, width=wide)
     outward = direction(intake.angle)
     mouth = place(intake.at + intake.length * outward)
-    return replace(stage, mouth=mouth, root=root, outward=outward, width=wide)
+    return replace(stage, mouth=mouth, root=root, outward=outward @ turn, width=wide)
 
 
-def picture_stage(axes: Any, box: Box, pixels: Floats) -> FigureStage:
+def picture_stage(axes: Any, box: Box, _hanging: bool, pixels: Floats) -> FigureStage:
     """A balloon of which there is a picture (h, w, 4): its neck hangs from its lowest place."""
     height, width = pixels.shape[:2]
     dot = min((box[2] - box[0]) / width, (box[3] - box[1]) / height)
@@ -126,9 +131,10 @@ def picture_stage(axes: Any, box: Box, pixels: Floats) -> FigureStage:
 
 
 def stage_box(name: str, box: Box) -> Box:
-    """Where in the box of a figure the balloon is: over a hose it has less room."""
+    """Where in the box of a figure the balloon is: what hangs from it has its room below."""
     left, bottom, right, top = box
-    return (left, bottom + 0.34 * (top - bottom), right, top) if name == "leak" else box
+    below = _HOSE if name == "leak" else _BELOW if name in HANGING else 0.0
+    return left, bottom + below * (top - bottom), right, top
 
 
 def draw_figure(name: str, stage: FigureStage, box: Box) -> None:
@@ -183,12 +189,8 @@ def _leak(stage: FigureStage) -> None:
     left, bottom, right, _ = stage.box
     x, y = _draw_tube(stage).tolist()
     bend, floor = _BEND * (right - left), bottom + 1.0
-    way = [[x, y]]
-    if _out(stage)[1] > -0.5:  # beside the balloon down to the hose
-        x = left if _out(stage)[0] < 0.0 else right - bend
-        way.append([x, y])
-    tall = 0.7 * (0.5 * (bottom + stage.box[3]) - floor) if len(way) > 1 else y - floor
-    hose = np.array([*way, [x, floor], [x + bend, floor], [x + bend, floor + tall]])
+    tall = y - floor
+    hose = np.array([[x, y], [x, floor], [x + bend, floor], [x + bend, y]])
     draw_line(stage.axes, hose, False, ec=_TUBE, lw=3.6, capstyle="butt")
     draw_line(stage.axes, hose, False, ec=_BORE, lw=2.0, capstyle="butt")
     water = np.array(
@@ -286,5 +288,6 @@ _FIGURES: dict[str, Callable[[FigureStage], None]] = {
     "ribbon": _ribbon,
     "hang": _hang,
 }
-#: What the data may name.
+#: What the data may name, and of these what shows a balloon that hangs.
 FIGURES = tuple(_FIGURES)
+HANGING = ("leak", "tube", "opened", "deflate", "ribbon", "hang")

@@ -10,7 +10,13 @@ from typing import Any
 from BalloonWorkbench.core.assembly_sheet.blocks import MARGIN, draw_head
 from BalloonWorkbench.core.assembly_sheet.pen import ACCENT, Pen
 from BalloonWorkbench.core.assembly_sheet.valve_figure import draw_valve, has_valve
-from BalloonWorkbench.core.assembly_sheet.work_figures import Box, FigureStage, draw_figure, stage_box
+from BalloonWorkbench.core.assembly_sheet.work_figures import (
+    HANGING,
+    Box,
+    FigureStage,
+    draw_figure,
+    stage_box,
+)
 from BalloonWorkbench.core.pattern.pattern import Pattern
 
 #: Cells beside each other, least rows; height of a title, gap between cells, height of a line [mm].
@@ -18,8 +24,8 @@ _ACROSS, _ROWS, _TITLE, _GAP, _LINE = 2, 3, 20.0, 5.0, 3.7
 #: Of a cell its figure has this share, less where the texts beside it are long.
 _SHARES = (0.55, 0.48, 0.4, 0.33)
 
-#: Sets a stage in a box of the page.
-Staging = Callable[[Any, Box], FigureStage]
+#: Sets a stage in a box of the page; whether its neck is turned down.
+Staging = Callable[[Any, Box, bool], FigureStage]
 
 
 def draw_work_page(
@@ -53,7 +59,8 @@ def draw_work_page(
     for place, ((figure, text), (left, upper)) in enumerate(zip(pictures, corners)):
         middle = left + wide
         box = (left + 4.0, upper - cell[1] + _GAP, middle, upper - 2.0)
-        draw_figure(figure, staging(pen.axes, stage_box(figure, box)), box)
+        stage = staging(pen.axes, stage_box(figure, box), figure in HANGING)
+        draw_figure(figure, stage, box)
         _numbered(pen, first + place, (left + 3.0, upper - 3.0))
         y = upper - 6.0
         for line in pen.lines(text, _room(cell[0], wide)):
