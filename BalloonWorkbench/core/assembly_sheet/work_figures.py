@@ -290,4 +290,4 @@ _FIGURES: dict[str, Callable[[FigureStage], None]] = {
 }
 #: What the data may name, and of these what shows a balloon that hangs.
 FIGURES = tuple(_FIGURES)
-HANGING = ("leak", "tube", "opened", "deflate", "ribbon", "hang")
+HANGING = ("leak", "tube", "neck", "opened", "deflate", "ribbon", "hang")
