@@ -96,9 +96,11 @@ class Film:
         if self.joining != "heat":
             return ""
         known = self.start_values
-        if not known.is_known:
-            return "Make a test card: nobody states a temperature for this film."
-        return f"Start values for welding: {known.sentence()} ({'; '.join(known.sources)})."
+        stated, sources = known.sentence(), "; ".join(known.sources)
+        if known.is_known:
+            return f"Start values for welding: {stated} ({sources})."
+        card = "Make a test card: nobody states a temperature for this film"
+        return f"{card}, only: {stated} ({sources})." if stated else f"{card}."
 
     @property
     def membrane_stiffness(self) -> float:

@@ -72,6 +72,7 @@ def test_a_film_tells_its_start_values() -> None:
         " (Yuan et al.; Chenxi Packaging, 2019; leuys, 2d-inflatables)."
     )
     assert film("mylar").first_weld == "Make a test card: nobody states a temperature for this film."
+    assert film("tpu-nylon").first_weld.endswith("this film, only: pressed for 8 s (diypackraft.com).")
 
 
 @pytest.mark.parametrize(
