@@ -242,7 +242,7 @@ def assembly_files(
         if part.numbers is not None:
             name = title if len(parts) == 1 else f"{title} {number}"
             file = "assembly.pdf" if number == 1 else f"assembly-{number}.pdf"
-            about = name, balloon.settings.film, work_settings(machines)
+            about = name, balloon.settings.film, work_settings(machines, say)
             files[file] = _assembly(part, part.numbers, about, paper, say)
     return files
 

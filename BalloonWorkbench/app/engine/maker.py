@@ -107,10 +107,20 @@ def _page(parts, name: str, machine: str | None):
     from BalloonWorkbench.core.assembly_sheet.work_settings import work_settings
     from BalloonWorkbench.core.machines.machine import machine as known_machine
 
-    settings = work_settings([] if machine is None else [known_machine(machine)])
+    machines = [] if machine is None else [known_machine(machine)]
     own, count = film.read(parts.balloon), counting(parts)
     if bag_result.has_many_panels(parts.balloon):
         (design, _), patterns = bag_result.stored(parts.balloon), bag_patterns(parts.pattern)
-        return lambda *how: bag_assembly_pdf(BagSubject(name, own, design, patterns, count(), settings), *how)
+
+        def bag_page(paper: str, say) -> bytes:
+            about = BagSubject(name, own, design, patterns, count(), work_settings(machines, say))
+            return bag_assembly_pdf(about, paper, say)
+
+        return bag_page
     (inflation, _), pattern = film_result.stored(parts.balloon), build(parts.pattern)
-    return lambda *how: assembly_pdf(SheetSubject(name, own, inflation, pattern, count(), settings), *how)
+
+    def page(paper: str, say) -> bytes:
+        about = SheetSubject(name, own, inflation, pattern, count(), work_settings(machines, say))
+        return assembly_pdf(about, paper, say)
+
+    return page

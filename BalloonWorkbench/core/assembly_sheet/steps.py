@@ -34,7 +34,7 @@ def steps(
 
     panels  of a balloon of many; None for two equal ones
     """
-    facts = _facts_of(pattern, film, numbers, panels, settings)
+    facts = _facts_of(pattern, film, numbers, panels, settings, say)
     sentences = []
     for step in _entries("steps"):
         if "notes" in step:
@@ -53,7 +53,7 @@ def work_pictures(
     panels: BagPatterns | None = None,
 ) -> list[tuple[str, str]]:
     """Which figures show the work, and what is said beside each; see `work_figures`. Errors as `steps`."""
-    facts = _facts_of(pattern, film, numbers, panels, NO_SETTINGS)
+    facts = _facts_of(pattern, film, numbers, panels, NO_SETTINGS, say)
     fitting = [entry for entry in _entries("pictures") if facts.fits(entry)]
     return [(str(entry["figure"]), say(facts.text(entry))) for entry in fitting]
 
@@ -84,7 +84,12 @@ class _BalloonFacts:
 
 
 def _facts_of(
-    pattern: Pattern, film: Film, numbers: Numbers, panels: BagPatterns | None, settings: WorkSettings
+    pattern: Pattern,
+    film: Film,
+    numbers: Numbers,
+    panels: BagPatterns | None,
+    settings: WorkSettings,
+    say: Say,
 ) -> _BalloonFacts:
     kinds = [intake_kind(intake.kind) for intake in pattern.intakes]
     safe, pressure = numbers.safety.safe_pressure, numbers.safety.pressure
@@ -115,7 +120,7 @@ def _facts_of(
         "column": water_column_text(pressure if safe is None else min(safe, pressure)),
         "gas": floating.gas,
         "lift": mass_text(max(floating.left, 0.0)),
-        "start_values": film.start_values.sentence(),
+        "start_values": film.start_values.sentence(say),
         "start_sources": "; ".join(film.start_values.sources),
         **vars(settings),
     }

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from BalloonWorkbench.core.machines.machine import Machine
 from BalloonWorkbench.core.machines.tool import lacking, settings_text
 from BalloonWorkbench.core.pattern.pattern import Role
+from BalloonWorkbench.core.types import Say, in_english
 from BalloonWorkbench.core.units import percent_text, speed_text
 
 #: Where the settings of a weld are from: the user's machine, sources on the film, or nowhere yet.
@@ -28,26 +29,28 @@ class WorkSettings:
 NO_SETTINGS = WorkSettings()
 
 
-def work_settings(machines: Sequence[Machine]) -> WorkSettings:
+def work_settings(machines: Sequence[Machine], say: Say = in_english) -> WorkSettings:
     """Those of the first machine that welds, and of the first that cuts, whose settings are all known."""
-    welds = [(each.title, _of_tool(each)) for each in machines if each.tool and each.tool.is_hot]
-    cuts = [(each.title, _of_cut(each)) for each in machines if not (each.tool and each.tool.is_hot)]
+    welds = [(say(each.title), _of_tool(each, say)) for each in machines if each.tool and each.tool.is_hot]
+    cuts = [
+        (say(each.title), _of_cut(each, say)) for each in machines if not (each.tool and each.tool.is_hot)
+    ]
     none = ("", "")
     weld = next((pair for pair in welds if pair[1]), none)
     return WorkSettings(*weld, *next((pair for pair in cuts if pair[1]), none))
 
 
-def _of_tool(machine: Machine) -> str:
+def _of_tool(machine: Machine, say: Say) -> str:
     tool = machine.tool
-    return "" if tool is None or lacking(tool, machine.version) else settings_text(tool)
+    return "" if tool is None or lacking(tool, machine.version) else settings_text(tool, say)
 
 
-def _of_cut(machine: Machine) -> str:
+def _of_cut(machine: Machine, say: Say) -> str:
     """Of a tool, or of the layer on which a LightBurn project cuts."""
     if machine.tool is not None:
-        return _of_tool(machine)
+        return _of_tool(machine, say)
     line = machine.layers.get(Role.CUT)
     if line is None or line.laser is None:
         return ""
     laser = line.laser
-    return f"speed {speed_text(laser.speed)}, power {percent_text(laser.max_power)}"
+    return f"{say('speed')} {speed_text(laser.speed)}, {say('power')} {percent_text(laser.max_power)}"

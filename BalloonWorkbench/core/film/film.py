@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from BalloonWorkbench.core.film.start_values import NOT_STATED, StartValues
 from BalloonWorkbench.core.options.film import FilmOptions
+from BalloonWorkbench.core.types import Say, in_english
 
 #: Metallic; see-through and shiny; fibres; without any shine.
 LOOKS = ("foil", "clear", "paper", "matt")
@@ -90,17 +91,16 @@ class Film:
         """What people call the line along which two panels are joined."""
         return JOININGS[self.joining]
 
-    @property
-    def first_weld(self) -> str:
+    def first_weld(self, say: Say = in_english) -> str:
         """With what the first weld is tried, a sentence; empty for films that are not welded by heat."""
         if self.joining != "heat":
             return ""
         known = self.start_values
-        stated, sources = known.sentence(), "; ".join(known.sources)
+        stated, sources = known.sentence(say), "; ".join(known.sources)
         if known.is_known:
-            return f"Start values for welding: {stated} ({sources})."
-        card = "Make a test card: nobody states a temperature for this film"
-        return f"{card}, only: {stated} ({sources})." if stated else f"{card}."
+            return say(f"Start values for welding: {stated} ({sources}).")
+        card = say("Make a test card: nobody states a temperature for this film.")
+        return " ".join(filter(None, [card, say(f"Stated is: {stated} ({sources}).") if stated else ""]))
 
     @property
     def membrane_stiffness(self) -> float:

@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.files.data_file import RESOURCES, UNUSABLE, read_data
+from BalloonWorkbench.core.types import Say, in_english
 from BalloonWorkbench.core.units import (
     from_mm_per_minute,
     number_text,
@@ -39,7 +40,7 @@ class StartRange:
     def text(self, show: Callable[[float], str]) -> str:
         """Both ends for people, or the one value."""
         one, other = show(self.least), show(self.most)
-        return one if one == other else f"{one} to {other}"
+        return one if one == other else f"{one}–{other}"
 
 
 @dataclass(frozen=True)
@@ -64,23 +65,20 @@ class StartValues:
         """Whether there is a temperature to begin with."""
         return self.bar_temperature is not None or self.tip_temperature is not None
 
-    def sentence(self) -> str:
-        """All of it for people, empty where nothing is known."""
-        bar = _text("bar or iron {}", self.bar_temperature, temperature_text)
-        parts = [
-            ", ".join(filter(None, [bar, _text("pressed for {}", self.dwell, seconds_text)])),
-            ", ".join(
-                filter(
-                    None,
-                    [
-                        _text("hot tip {}", self.tip_temperature, temperature_text),
-                        _text("moved at {}", self.tip_speed, speed_text),
-                    ],
-                )
-            ),
-            f"through {self.separating_layer}" if self.separating_layer else "",
+    def sentence(self, say: Say = in_english) -> str:
+        """All of it for people, in their language; empty where nothing is known."""
+        bar, dwell, tip, speed = self.bar_temperature, self.dwell, self.tip_temperature, self.tip_speed
+        still = [
+            say(f"bar or iron {bar.text(temperature_text)}") if bar else "",
+            say(f"pressed for {dwell.text(seconds_text)}") if dwell else "",
         ]
-        return "; ".join(filter(None, parts))
+        moved = [
+            say(f"hot tip at {tip.text(temperature_text)}") if tip else "",
+            say(f"moved at {speed.text(speed_text)}") if speed else "",
+        ]
+        layer = say(self.separating_layer)
+        through = say(f"through a layer of {layer}") if layer else ""
+        return "; ".join(filter(None, [*(", ".join(filter(None, each)) for each in (still, moved)), through]))
 
     @property
     def sources(self) -> tuple[str, ...]:
@@ -95,10 +93,6 @@ NOT_STATED = StartValues()
 
 def _short(source: str) -> str:
     return source.partition(": ")[0]
-
-
-def _text(form: str, stated: StartRange | None, show: Callable[[float], str]) -> str:
-    return "" if stated is None else form.format(stated.text(show))
 
 
 class _Key(NamedTuple):

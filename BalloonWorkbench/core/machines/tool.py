@@ -22,6 +22,7 @@ from BalloonWorkbench.core.options.making import (
     ToolOptions,
 )
 from BalloonWorkbench.core.pattern.pattern import Role
+from BalloonWorkbench.core.types import Say, in_english
 from BalloonWorkbench.core.units import (
     from_mm,
     from_mm_per_minute,
@@ -182,10 +183,10 @@ def value_text(tool: MachineTool, option: str) -> str:
     return _VALUES[name].show(getattr(tool, name))
 
 
-def settings_text(tool: MachineTool) -> str:
-    """What only the user knows of a tool, as far as it is known, for people."""
+def settings_text(tool: MachineTool, say: Say = in_english) -> str:
+    """What only the user knows of a tool, as far as it is known, for people, in their language."""
     known = [name for name in _NEEDS[tool.kind] if getattr(tool, name) is not None]
-    return ", ".join(f"{_VALUES[name].what} {_VALUES[name].show(getattr(tool, name))}" for name in known)
+    return ", ".join(f"{say(_VALUES[name].what)} {_VALUES[name].show(getattr(tool, name))}" for name in known)
 
 
 def changed(tool: MachineTool, wishes: ToolOptions) -> MachineTool:

@@ -166,7 +166,7 @@ def test_the_valve_is_drawn(tmp_path: Path) -> None:
         (
             "nylon-foil",
             WorkSettings(),
-            "Start values, not tried on your film and tool: bar or iron 108C to 118C",
+            "Start values, not tried on your film and tool: bar or iron 108C–118C",
         ),
         ("mylar", WorkSettings(), "Make a test card"),
         ("mylar", WorkSettings("Tip", "feed 300 mm/min"), "To weld, your settings of Tip: feed 300 mm/min."),

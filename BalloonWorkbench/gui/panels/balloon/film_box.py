@@ -49,7 +49,7 @@ class FilmBox(PropertyPage):
         self.card.refresh()
         self.band.refresh()
         known = film_values.known_films().get(self.obj.Film)
-        self.welding.setText("" if known is None else translated(known.first_weld))
+        self.welding.setText("" if known is None else known.first_weld(translated))
         if self.obj.Film != CUSTOM:  # the library's films have no grain, and welds of their own
             for name in ("YoungModulusAcross", "GrainAngle", "WeldRigidity"):
                 self.form.show_row(name, False)
