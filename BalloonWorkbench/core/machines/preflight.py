@@ -103,9 +103,10 @@ def _start_values(film: Film, name: str, machine: Machine) -> tuple[PreflightFin
         return ()
     if stated.least - _ABOUT <= tool.temperature <= stated.most + _ABOUT:
         return ()
+    heat, own = stated.text(temperature_text), temperature_text(tool.temperature)
     text = (
-        f"{'A hot tip' if known.tip_temperature else 'A bar'} is stated to weld {name} at {stated.text(temperature_text)}, this tool has"
-        f" {temperature_text(tool.temperature)}: peel a test card before you rely on it."
+        f"{'A hot tip' if known.tip_temperature else 'A bar'} is stated to weld {name} at {heat},"
+        f" this tool has {own}: peel a test card before you rely on it."
     )
     return (PreflightFinding(WARNING, text),)
 
