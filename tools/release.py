@@ -39,6 +39,7 @@ PARTS = (
             "docs/install.md",
             "docs/tutorial.md",
             "docs/tutorial-bodies.md",
+            "docs/tutorial-machines.md",
             "docs/freecad.md",
             "docs/command-line.md",
             "docs/machines.md",

@@ -260,11 +260,14 @@ def study(made: Parts, variants=None, table=None, jobs: int = 0):
 
 
 @_bordered
-def assembly_sheet(made: Parts, path, paper: str = "A4") -> Path:
-    """Write the page on how to make a balloon, a PDF on A4 or Letter; returns it. Raises ExportError."""
+def assembly_sheet(made: Parts, path, paper: str = "A4", machine: str | None = None) -> Path:
+    """Write the page on how to make a balloon, a PDF on A4 or Letter; returns it. Raises ExportError.
+
+    machine  by its name, one on which it is made: what its file says of its tool is told
+    """
     from BalloonWorkbench.app.engine import maker
 
-    return Path(path) if _done else maker.write_assembly(made, path, paper)
+    return Path(path) if _done else maker.write_assembly(made, path, paper, machine)
 
 
 @_bordered

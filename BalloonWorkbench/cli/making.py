@@ -79,9 +79,8 @@ def checked(
         if options.assembly is not None:
             from BalloonWorkbench.core.products import assembly_files
 
-            made.append(
-                attempt("assembly.pdf", lambda: (assembly_files(balloon, title, options.assembly, say), []))
-            )
+            sheets = partial(assembly_files, balloon, title, options.assembly, say, chosen)
+            made.append(attempt("assembly.pdf", lambda: (sheets(), [])))
         done = [each for each in made if each is not None]
         contents = {name: content for files, _ in done for name, content in files.items()}
         return contents, [line for _, lines in done for line in lines]

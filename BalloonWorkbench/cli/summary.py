@@ -125,6 +125,7 @@ def _making(maker: dict[str, Any], film: Film, say: Say) -> list[str]:
         say(f"Film: {film.title or film.name}"),
         say(f"Film needed: {needed}"),
         say(f"Seam length: {seam}"),
+        *filter(None, [film.first_weld(say)]),
         *([say(f"Welding: {maker['welding']['sentence']}")] if "welding" in maker else []),
         say(f"Will it float? {maker['will_it_float']}"),
         *_strength(maker["strength"], film.seam, say),

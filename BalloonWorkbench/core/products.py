@@ -21,6 +21,7 @@ from BalloonWorkbench.core.artwork.sheet import DPI, Print, Sheet, artwork_sheet
 from BalloonWorkbench.core.artwork.wrap import faces_away, wrapped
 from BalloonWorkbench.core.assembly_sheet.bag_pages import BagSubject, bag_assembly_pdf
 from BalloonWorkbench.core.assembly_sheet.page import SheetSubject, assembly_pdf
+from BalloonWorkbench.core.assembly_sheet.work_settings import WorkSettings, work_settings
 from BalloonWorkbench.core.bag_design.bag_design import BagDesign
 from BalloonWorkbench.core.bag_job import BagPart, FinishedBags
 from BalloonWorkbench.core.bag_pattern.bag_patterns import BagPatterns
@@ -28,6 +29,7 @@ from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.geometry.polyline import bounds, signed_area
 from BalloonWorkbench.core.job import Balloon, Part
+from BalloonWorkbench.core.machines.machine import Machine
 from BalloonWorkbench.core.making.bag_numbers import bag_pieces
 from BalloonWorkbench.core.making.numbers import Numbers
 from BalloonWorkbench.core.nesting.layout import Layout, Piece, Stock
@@ -226,9 +228,12 @@ def _all_pieces(balloon: Balloon | FinishedBags, copies: int) -> list[Piece]:
     ]
 
 
-def assembly_files(balloon: Balloon | FinishedBags, title: str, paper: str, say: Say) -> Mapping[str, bytes]:
+def assembly_files(
+    balloon: Balloon | FinishedBags, title: str, paper: str, say: Say, machines: Sequence[Machine] = ()
+) -> Mapping[str, bytes]:
     """Contents of the assembly sheets by name, one for each balloon whose numbers are known.
 
+    machines  on which it is made: what their files say of their tools is told
     Raises what assembly_pdf raises.
     """
     parts: Sequence[Part | BagPart] = balloon.parts
@@ -237,13 +242,18 @@ def assembly_files(balloon: Balloon | FinishedBags, title: str, paper: str, say:
         if part.numbers is not None:
             name = title if len(parts) == 1 else f"{title} {number}"
             file = "assembly.pdf" if number == 1 else f"assembly-{number}.pdf"
-            files[file] = _assembly(part, part.numbers, name, balloon.settings.film, paper, say)
+            about = name, balloon.settings.film, work_settings(machines, say)
+            files[file] = _assembly(part, part.numbers, about, paper, say)
     return files
 
 
-def _assembly(part: Part | BagPart, numbers: Numbers, name: str, film: Film, paper: str, say: Say) -> bytes:
-    """The assembly sheet of one balloon."""
+def _assembly(
+    part: Part | BagPart, numbers: Numbers, about: tuple[str, Film, WorkSettings], paper: str, say: Say
+) -> bytes:
+    """The assembly sheet of one balloon; about: its name, film, and settings of machines."""
+    name, film, settings = about
     if isinstance(part, BagPart):
-        return bag_assembly_pdf(BagSubject(name, film, part.design, part.patterns, numbers), paper, say)
-    subject = SheetSubject(name, film, part.design.inflation, part.pattern, numbers)
+        bag = BagSubject(name, film, part.design, part.patterns, numbers, settings)
+        return bag_assembly_pdf(bag, paper, say)
+    subject = SheetSubject(name, film, part.design.inflation, part.pattern, numbers, settings)
     return assembly_pdf(subject, paper, say)

@@ -147,6 +147,16 @@ def temperature_text(kelvin: float) -> str:
     return f"{number_text(kelvin - 273.15)}C"
 
 
+def speed_text(speed: float) -> str:
+    """A speed along a line for people, as machines are told it."""
+    return f"{number_text(to_mm_per_minute(speed))} mm/min"
+
+
+def seconds_text(seconds: float) -> str:
+    """A short time for people."""
+    return f"{number_text(seconds)} s"
+
+
 def money_text(amount: float, currency: str) -> str:
     """A price for people: two decimals, but for very small and large ones."""
     common = amount == 0.0 or 0.005 <= amount < 100.0

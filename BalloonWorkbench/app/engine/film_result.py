@@ -65,7 +65,7 @@ def store(obj, inflation, film, values: dict) -> None:
     obj.SeamEase = [] if assembly.mirror else [seam.ease for seam in assembly.seams]
     obj.SolvedWith = json.dumps(
         {
-            "film": asdict(film),
+            "film": {key: value for key, value in asdict(film).items() if key != "start_values"},
             "report": _report_data(inflation.report),
             "volume": inflation.volume,
             "values": values,

@@ -66,10 +66,11 @@ def safety_of(balloon):
     return safety(*film_result.stored(balloon), exact=False)
 
 
-def write_assembly(parts, target, paper: str = "A4") -> Path:
+def write_assembly(parts, target, paper: str = "A4", machine: str | None = None) -> Path:
     """Write the assembly sheet to a PDF file, or as assembly.pdf into a folder; returns the file.
 
-    In the language of the window. Raises ExportError when something is not up to date or cannot be written.
+    In the language of the window. machine: by its name, one whose settings are told.
+    Raises ExportError when something is not up to date or cannot be written.
     """
     from BalloonWorkbench.app.border import hooks
     from BalloonWorkbench.core.files.write import write_files
@@ -83,22 +84,43 @@ def write_assembly(parts, target, paper: str = "A4") -> Path:
     if path.is_dir():
         path = path / "assembly.pdf"
     group = parts.balloon.getParentGroup()
-    page = _page(parts, group.Label if group else parts.balloon.Label)
+    page = _page(parts, group.Label if group else parts.balloon.Label, machine)
     content = hooks.run_blocking(f"Writing {path.name}", lambda progress: page(paper, hooks.say))
     write_files(path.parent, {path.name: content})
     return path
 
 
-def _page(parts, name: str):
+def told_of(machine: str) -> str | None:
+    """The machine again where its file has settings that an assembly sheet tells; else None."""
+    from BalloonWorkbench.core.assembly_sheet.work_settings import WorkSettings, work_settings
+    from BalloonWorkbench.core.machines.machine import machine as known_machine
+
+    return machine if work_settings([known_machine(machine)]) != WorkSettings() else None
+
+
+def _page(parts, name: str, machine: str | None):
     """A function that makes the sheet, on paper and in a language, and does not touch the document."""
     from BalloonWorkbench.app.pattern import bag_patterns, build
     from BalloonWorkbench.app.properties import film
     from BalloonWorkbench.core.assembly_sheet.bag_pages import BagSubject, bag_assembly_pdf
     from BalloonWorkbench.core.assembly_sheet.page import SheetSubject, assembly_pdf
+    from BalloonWorkbench.core.assembly_sheet.work_settings import work_settings
+    from BalloonWorkbench.core.machines.machine import machine as known_machine
 
+    machines = [] if machine is None else [known_machine(machine)]
     own, count = film.read(parts.balloon), counting(parts)
     if bag_result.has_many_panels(parts.balloon):
         (design, _), patterns = bag_result.stored(parts.balloon), bag_patterns(parts.pattern)
-        return lambda *how: bag_assembly_pdf(BagSubject(name, own, design, patterns, count()), *how)
+
+        def bag_page(paper: str, say) -> bytes:
+            about = BagSubject(name, own, design, patterns, count(), work_settings(machines, say))
+            return bag_assembly_pdf(about, paper, say)
+
+        return bag_page
     (inflation, _), pattern = film_result.stored(parts.balloon), build(parts.pattern)
-    return lambda *how: assembly_pdf(SheetSubject(name, own, inflation, pattern, count()), *how)
+
+    def page(paper: str, say) -> bytes:
+        about = SheetSubject(name, own, inflation, pattern, count(), work_settings(machines, say))
+        return assembly_pdf(about, paper, say)
+
+    return page

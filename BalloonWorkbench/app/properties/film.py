@@ -134,7 +134,7 @@ def take_joining(obj, joining: str, one_side: bool, laser: bool | None) -> None:
 
 #: What a film of the library has beyond the properties that a user may change.
 _OF_KNOWN = ("name", "max_stress", "title", "look", "grain", "weld_rigidity_source")
-_OF_KNOWN += ("sealing_side", "joining", "one_side", "some_grades", "laser")
+_OF_KNOWN += ("sealing_side", "joining", "one_side", "some_grades", "laser", "start_values")
 
 
 def read(obj):

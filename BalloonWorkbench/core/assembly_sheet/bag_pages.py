@@ -14,7 +14,10 @@ from BalloonWorkbench.core.assembly_sheet.blocks import MARGIN, draw_head
 from BalloonWorkbench.core.assembly_sheet.first_page import FirstPage, draw_first_page
 from BalloonWorkbench.core.assembly_sheet.page import page_size, written
 from BalloonWorkbench.core.assembly_sheet.pen import ACCENT, INK, RULE, Pen
-from BalloonWorkbench.core.assembly_sheet.steps import steps
+from BalloonWorkbench.core.assembly_sheet.steps import steps, work_pictures
+from BalloonWorkbench.core.assembly_sheet.work_figures import picture_stage
+from BalloonWorkbench.core.assembly_sheet.work_pages import draw_work_page
+from BalloonWorkbench.core.assembly_sheet.work_settings import NO_SETTINGS, WorkSettings
 from BalloonWorkbench.core.bag_design.bag_design import BagDesign
 from BalloonWorkbench.core.bag_pattern.bag_patterns import BagPatterns
 from BalloonWorkbench.core.bag_pattern.order import LAST, JoinStep
@@ -33,19 +36,23 @@ from BalloonWorkbench.core.units import length_text, number_text
 _ACROSS, _UP, _DOTS, _MOST = 3, 4, 4.0, 60
 #: Height of a row of the table, of a title with its line, and of the text below a picture [mm].
 _ROW, _TITLE, _TEXT = 4.6, 18.0, 12.0
+#: Dots of the picture of the whole balloon in figures.
+_WHOLE = 200
 #: Film in pictures of steps, whose seam is in colour.
 _FILM = "#c3cad6"
 
 
 @dataclass(frozen=True)
 class BagSubject:
-    """What the sheet is about: a name, what it is made of, its design, its panels and its numbers."""
+    """What the sheet is about: a name, what it is made of, its design, its panels, its numbers, and the
+    user's settings of machines."""
 
     title: str
     film: Film
     design: BagDesign
     patterns: BagPatterns
     numbers: Numbers
+    settings: WorkSettings = NO_SETTINGS
 
     def name(self, panel: int) -> str:
         """A panel's name in letters that fonts have."""
@@ -69,7 +76,7 @@ def bag_assembly_pdf(subject: BagSubject, paper: str = "A4", say: Say = in_engli
         (across, up, over),
         say(f"Pattern, {count} panels"),
         partial(bag_picture, subject.design, colour=colour, seams={}),
-        steps(patterns.sheet, film, subject.numbers, say, panels=patterns),
+        steps(patterns.sheet, film, subject.numbers, say, panels=patterns, settings=subject.settings),
     )
     names = "".join(map(subject.name, patterns.panels))
     fonts = fonts_for(say("Assembly sheet"), name + say(film.title) + names)
@@ -77,6 +84,9 @@ def bag_assembly_pdf(subject: BagSubject, paper: str = "A4", say: Say = in_engli
     for start in range(0, len(patterns.order), _ACROSS * _UP):
         drawn.append(partial(_steps_page, subject=subject, name=name, start=start, size=size))
     rows = max(1, int((size[1] - 2.0 * MARGIN - _TITLE - 2.0 * _ROW) / _ROW))
+    pictures = work_pictures(patterns.sheet, film, subject.numbers, say, panels=patterns)
+    if pictures:
+        drawn.append(partial(_work_page, subject=subject, name=name, pictures=pictures, size=size))
     made = [seam for seam in patterns.seams if seam.made]
     for start in range(0, len(made), rows):
         seams = made[start : start + rows]
@@ -87,6 +97,16 @@ def bag_assembly_pdf(subject: BagSubject, paper: str = "A4", say: Say = in_engli
 
 def _with_pen(axes: Any, say: Say, fonts: Fonts, draw: Callable[[Pen], None]) -> None:
     draw(Pen(axes, say, fonts))
+
+
+def _work_page(
+    pen: Pen, subject: BagSubject, name: str, pictures: Sequence[tuple[str, str]], size: tuple[float, float]
+) -> None:
+    """Leak test, filling and what comes after, with the whole balloon in each figure."""
+    pixels = bag_picture(subject.design, _WHOLE, _WHOLE, _FILM, seams={})
+    first = len(subject.patterns.order) + 1
+    stage = partial(picture_stage, pixels=pixels)
+    draw_work_page(pen, name, pictures, subject.patterns.sheet, stage, first, size)
 
 
 def joined_before(order: Sequence[JoinStep], step: int) -> tuple[int, ...]:
@@ -147,6 +167,7 @@ def _step_image(subject: BagSubject, place: int, box: tuple[float, float, float,
         seams={number: seam_colour(number)},
         panels=joined_before(order, place),
         facing=number,
+        sealed=[each.seam for each in order[:place]],
     )
 
 

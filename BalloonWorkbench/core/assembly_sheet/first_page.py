@@ -25,7 +25,6 @@ from BalloonWorkbench.core.assembly_sheet.blocks import (
 )
 from BalloonWorkbench.core.assembly_sheet.pen import BAND, RULE, SOFT, Pen
 from BalloonWorkbench.core.assembly_sheet.texts import figures, material
-from BalloonWorkbench.core.assembly_sheet.valve_figure import draw_valve, has_valve
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.machines.layers import LAYERS
 from BalloonWorkbench.core.making.numbers import Numbers
@@ -84,12 +83,7 @@ def draw_first_page(pen: Pen, subject: FirstPage, size: tuple[float, float]) -> 
         draw_list(pen, title, each, x, lists_top)
     split = MARGIN + 0.6 * (right - MARGIN)
     scale = _pattern(pen, subject, (MARGIN, lists_top + 6.0, split - 4.0, top - 17.0))
-    low = lists_top + 6.0
-    if has_valve(subject.pattern):
-        half = low + 0.5 * (top - 17.0 - low)
-        draw_valve(pen, subject.pattern, (split + 4.0, low, right, half))
-        low = half + 2.0
-    _balloon(pen, subject, (split + 4.0, low, right, top - 17.0))
+    _balloon(pen, subject, (split + 4.0, lists_top + 6.0, right, top - 17.0))
     draw_foot(pen, scale, foot, right)
 
 

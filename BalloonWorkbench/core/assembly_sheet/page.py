@@ -1,16 +1,20 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The assembly sheet of two equal panels as a PDF of one page."""
+"""The assembly sheet of two equal panels as a PDF: the first page, and the work in pictures."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import partial
+from typing import Any
 
 import numpy as np
 
 from BalloonWorkbench.core.assembly_sheet.first_page import FirstPage, draw_first_page
 from BalloonWorkbench.core.assembly_sheet.pen import Pen
-from BalloonWorkbench.core.assembly_sheet.steps import steps
+from BalloonWorkbench.core.assembly_sheet.steps import steps, work_pictures
+from BalloonWorkbench.core.assembly_sheet.work_figures import pattern_stage
+from BalloonWorkbench.core.assembly_sheet.work_pages import draw_work_page
+from BalloonWorkbench.core.assembly_sheet.work_settings import NO_SETTINGS, WorkSettings
 from BalloonWorkbench.core.errors import ExportError
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.making.numbers import Numbers
@@ -28,17 +32,19 @@ PAGES = {"A4": (210.0, 297.0), "Letter": (215.9, 279.4)}
 
 @dataclass(frozen=True)
 class SheetSubject:
-    """What the sheet is about: a name, what it is made of, how it inflates, its panel and its numbers."""
+    """What the sheet is about: a name, what it is made of, how it inflates, its panel, its numbers, and the
+    user's settings of machines."""
 
     title: str
     film: Film
     inflation: Inflation
     pattern: Pattern
     numbers: Numbers
+    settings: WorkSettings = NO_SETTINGS
 
 
 def assembly_pdf(subject: SheetSubject, paper: str = "A4", say: Say = in_english) -> bytes:
-    """The page; the same bytes for the same subject.
+    """Both pages; the same bytes for the same subject.
 
     say  gives the engine's texts in the reader's language; English stays where no font has its letters
     ExportError for other paper than "A4" and "Letter", MissingPackageError without matplotlib.
@@ -57,11 +63,20 @@ def assembly_pdf(subject: SheetSubject, paper: str = "A4", say: Say = in_english
         (across, up, over),
         say("Pattern, cut two (one mirrored)"),
         partial(_image, subject),
-        steps(subject.pattern, film, subject.numbers, say),
+        steps(subject.pattern, film, subject.numbers, say, settings=subject.settings),
     )
     fonts = fonts_for(say("Assembly sheet"), name + say(film.title))
     title = f"{name}: {say('Assembly sheet')}"
-    return pdf(title, fonts, [(size, lambda axes: draw_first_page(Pen(axes, say, fonts), page, size))])
+    pictures = work_pictures(subject.pattern, film, subject.numbers, say)
+
+    def draw_first(axes: Any) -> None:
+        draw_first_page(Pen(axes, say, fonts), page, size)
+
+    def draw_work(axes: Any) -> None:
+        stage = partial(pattern_stage, pattern=subject.pattern)
+        draw_work_page(Pen(axes, say, fonts), name, pictures, subject.pattern, stage, 1, size)
+
+    return pdf(title, fonts, [(size, draw_first), (size, draw_work)])
 
 
 def page_size(paper: str) -> tuple[float, float]:

@@ -88,7 +88,7 @@ def figures(film: Film, numbers: Numbers, say: Say = in_english) -> list[tuple[s
 def broken(text: str, fits: Callable[[str], bool]) -> list[str]:
     """Lines that fit; a number stays with its unit, a French mark with its word."""
     joined = re.sub(
-        r"(\d) (?=(?:[µm]?m|cm[²³]?|m[²³]|mm[²³]|m?l|[mk]?g|[kM]?Pa)(?![^\W\d]))", rf"\1{_BLANK}", text
+        r"(\d) (?=(?:[µm]?m|cm[²³]?|m[²³]|mm[²³]|m?l|[mk]?g|[kM]?Pa|min)(?![^\W\d]))", rf"\1{_BLANK}", text
     )
     joined = re.sub(r" (?=[:;?!»%])|(?<=«) ", _BLANK, joined)
     lines, line = [], ""

@@ -5,7 +5,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from BalloonWorkbench.core.film.start_values import NOT_STATED, StartValues
 from BalloonWorkbench.core.options.film import FilmOptions
+from BalloonWorkbench.core.types import Say, in_english
 
 #: Metallic; see-through and shiny; fibres; without any shine.
 LOOKS = ("foil", "clear", "paper", "matt")
@@ -48,6 +50,7 @@ class Film:
     laser        whether a laser may cut it, None where nobody knows
     weld_rigidity        how stiff a weld is in its plane, in parts of what both films have when they stay
            flat over the width of weld and allowance; weld_rigidity_source tells where that is from
+    start_values  with which settings the first welds are tried
 
     Isotropic unless young_modulus_across is given: then young_modulus is that along the grain, which runs at
     grain_angle from the x axis of the drawing, and poisson_ratio the contraction across under tension along.
@@ -76,6 +79,7 @@ class Film:
     laser: bool | None = None
     weld_rigidity: float = 1.0
     weld_rigidity_source: str = ASSUMED
+    start_values: StartValues = NOT_STATED
 
     @property
     def lies(self) -> float | None:
@@ -86,6 +90,17 @@ class Film:
     def seam(self) -> str:
         """What people call the line along which two panels are joined."""
         return JOININGS[self.joining]
+
+    def first_weld(self, say: Say = in_english) -> str:
+        """With what the first weld is tried, a sentence; empty for films that are not welded by heat."""
+        if self.joining != "heat":
+            return ""
+        known = self.start_values
+        stated, sources = known.sentence(say), "; ".join(known.sources)
+        if known.is_known:
+            return say(f"Start values for welding: {stated} ({sources}).")
+        card = say("Make a test card: nobody states a temperature for this film.")
+        return " ".join(filter(None, [card, say(f"Stated is: {stated} ({sources}).") if stated else ""]))
 
     @property
     def membrane_stiffness(self) -> float:

@@ -13,6 +13,7 @@ from typing import Any
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.files.data_file import RESOURCES, UNUSABLE, read_data
 from BalloonWorkbench.core.film.film import ASSUMED, BY_USER, JOININGS, LOOKS, Film, Look
+from BalloonWorkbench.core.film.start_values import NOT_STATED, StartValues, read_start_values
 from BalloonWorkbench.core.options.film import DEFAULT_FILM  # noqa: F401 - it is the name of one of them
 from BalloonWorkbench.core.units import number_text, pressure_text
 
@@ -146,6 +147,7 @@ def _film_of(data: dict[str, Any]) -> Film:
         one_side=_truth(data, "one_side", False),
         some_grades=_truth(data, "some_grades", False),
         laser=_truth(data, "laser", None),
+        start_values=_start_values(data),
         note=str(data["note"]),
         sources=tuple(str(source) for source in data["sources"]),
     )
@@ -179,6 +181,15 @@ def _joining(way: object) -> str:
     if way not in JOININGS:
         raise InputError(f'There is no joining "{way}": choose one of {", ".join(filter(None, JOININGS))}.')
     return str(way)
+
+
+def _start_values(data: dict[str, Any]) -> StartValues:
+    """Of films that are welded by heat; nothing of the kind is started with others."""
+    if "start_values" not in data:
+        return NOT_STATED
+    if _joining(data.get("joining", "")) != "heat":
+        raise InputError('start_values are of films that are welded by heat: give "joining": "heat" too.')
+    return read_start_values(data["start_values"])
 
 
 def _truth(data: dict[str, Any], key: str, unknown: bool | None) -> Any:

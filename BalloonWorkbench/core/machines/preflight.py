@@ -13,6 +13,7 @@ import numpy as np
 from BalloonWorkbench.core.arcs.curves import polyline
 from BalloonWorkbench.core.arcs.fit_arcs import TOLERANCE, fit_curve
 from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.film.start_values import PAPER, PTFE, separating_layers
 from BalloonWorkbench.core.geometry.crossings import first_crossing
 from BalloonWorkbench.core.geometry.polyline import gaps, line_lengths, point_on
 from BalloonWorkbench.core.machines.bed import fits_turned, fits_upright, pieces_fit, size_on
@@ -29,7 +30,6 @@ from BalloonWorkbench.core.units import (
     from_mm,
     length_text,
     number_text,
-    parse_temperature,
     place_text,
     size_text,
     temperature_text,
@@ -45,10 +45,10 @@ _WAY_ROUND = 3.0
 _FINE = 0.25
 #: A line that turns by more goes back where it came from [rad].
 _BACK = np.radians(179.95)
+#: Two temperatures so near are the same [K].
+_ABOUT = 0.5
 #: Half of a turn beyond which a bend is as good as a corner [rad].
 _SHARPEST = 1.4
-#: PTFE decomposes above [K], says every maker of it; near 300 C it does so quickly.
-_FUMES = parse_temperature("260C")
 
 
 @dataclass(frozen=True)
@@ -92,7 +92,23 @@ def film_preflight(film: Film, machine: Machine) -> tuple[PreflightFinding, ...]
         return (
             PreflightFinding(WARNING, f"{name} is not joined by heat: {machine.title} is not made for it."),
         )
-    return ()
+    return _start_values(film, name, machine)
+
+
+def _start_values(film: Film, name: str, machine: Machine) -> tuple[PreflightFinding, ...]:
+    """A temperature of the tool beside what sources state for the film: a moving tip, or else a bar."""
+    tool, known = machine.tool, film.start_values
+    stated = known.tip_temperature or known.bar_temperature
+    if tool is None or not tool.is_hot or tool.temperature is None or stated is None:
+        return ()
+    if stated.least - _ABOUT <= tool.temperature <= stated.most + _ABOUT:
+        return ()
+    heat, own = stated.text(temperature_text), temperature_text(tool.temperature)
+    text = (
+        f"{'A hot tip' if known.tip_temperature else 'A bar'} is stated to weld {name} at {heat},"
+        f" this tool has {own}: peel a test card before you rely on it."
+    )
+    return (PreflightFinding(WARNING, text),)
 
 
 def _closed(contours: list[Contour]) -> list[PreflightFinding]:
@@ -280,12 +296,14 @@ def _tool(machine: Machine) -> list[PreflightFinding]:
     missing = lacking(tool, machine.version)
     if missing:
         return [PreflightFinding(ERROR, missing)]
-    if tool.is_hot and (tool.temperature or 0.0) > _FUMES:
+    fumes = separating_layers()[PTFE]
+    if tool.is_hot and (tool.temperature or 0.0) > fumes:
         return [
             PreflightFinding(
                 WARNING,
-                f"A separating layer of PTFE gives off poisonous fumes above {temperature_text(_FUMES)}: lay"
-                " baking paper between tool and film, and air the room.",
+                f"A separating layer of PTFE gives off poisonous fumes above {temperature_text(fumes)}, and"
+                f" baking paper chars above {temperature_text(separating_layers()[PAPER])}: weld slower at a"
+                " lower temperature, and air the room.",
             )
         ]
     return []

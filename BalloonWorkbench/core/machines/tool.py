@@ -22,12 +22,15 @@ from BalloonWorkbench.core.options.making import (
     ToolOptions,
 )
 from BalloonWorkbench.core.pattern.pattern import Role
+from BalloonWorkbench.core.types import Say, in_english
 from BalloonWorkbench.core.units import (
     from_mm,
     from_mm_per_minute,
     length_text,
     number_text,
     parse_temperature,
+    seconds_text,
+    speed_text,
     temperature_text,
     to_mm,
     to_mm_per_minute,
@@ -100,10 +103,6 @@ class _Value(NamedTuple):
     flag: str = ""
 
 
-def _feed_text(speed: float) -> str:
-    return f"{number_text(to_mm_per_minute(speed))} mm/min"
-
-
 def _percent_text(share: float) -> str:
     return f"{number_text(100.0 * share)} %"
 
@@ -111,7 +110,7 @@ def _percent_text(share: float) -> str:
 _VALUES = {
     "feed": _Value("feed_mm_min", from_mm_per_minute(1.0), from_mm_per_minute(1e5), from_mm_per_minute,
         to_mm_per_minute,
-        _feed_text, "feed", "--feed 600 for 600 mm/min"),
+        speed_text, "feed", "--feed 600 for 600 mm/min"),
     "power": _Value("power_percent", 0.001, 1.0, lambda percent: 0.01 * percent,
         lambda share: 100.0 * share, _percent_text, "power",
         "--power 40 for 40 %"),
@@ -126,7 +125,7 @@ _VALUES = {
     "depth": _Value("depth_mm", from_mm(-50.0), from_mm(50.0), from_mm, to_mm, length_text,
         "depth", "--depth 0.2mm"),
     "lift": _Value("lift_mm", from_mm(0.5), from_mm(100.0), from_mm, to_mm, length_text, "lift of the tool"),
-    "dwell": _Value("dwell_s", 0.0, 10.0, float, float, lambda seconds: f"{number_text(seconds)} s", "dwell"),
+    "dwell": _Value("dwell_s", 0.0, 10.0, float, float, seconds_text, "dwell"),
     "corner_feed": _Value("corner_feed_percent", 0.1, 1.0, lambda percent: 0.01 * percent,
         lambda share: 100.0 * share, _percent_text, "feed in corners"),
     "lead_in": _Value("lead_in_mm", 0.0, from_mm(200.0), from_mm, to_mm, length_text, "lead-in"),
@@ -188,6 +187,12 @@ def value_text(tool: MachineTool, option: str) -> str:
     name = _OF_OPTIONS.get(option, option)
     value = getattr(tool, name)
     return "" if value is None else _VALUES[name].show(value)
+
+
+def settings_text(tool: MachineTool, say: Say = in_english) -> str:
+    """What only the user knows of a tool, as far as it is known, for people, in their language."""
+    known = [name for name in _NEEDS[tool.kind] if getattr(tool, name) is not None]
+    return ", ".join(f"{say(_VALUES[name].what)} {_VALUES[name].show(getattr(tool, name))}" for name in known)
 
 
 def changed(tool: MachineTool, wishes: ToolOptions) -> MachineTool:

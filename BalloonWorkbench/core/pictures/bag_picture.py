@@ -27,6 +27,8 @@ from BalloonWorkbench.core.types import Floats, Ints
 
 #: Width of a seam's colour on each side of it, and how far it lies over the film; of the balloon's size.
 _RIBBON, _ABOVE = 0.011, 0.004
+#: What is sealed already: its colour, and its width beside that of a seam in colour.
+_SEALED, _THIN = "#1f2937", 0.5
 #: The ends of names of files in which y is up.
 _Y_UP = ".obj"
 #: How far a seam above or below turns toward the eye.
@@ -42,6 +44,7 @@ def bag_picture(
     seams: Mapping[int, str] | None = None,
     panels: Collection[int] | None = None,
     facing: int | None = None,
+    sealed: Collection[int] = (),
 ) -> Floats:
     """RGBA (height, width, 4) of the balloon.
 
@@ -49,6 +52,7 @@ def bag_picture(
     seams   colours by number of those that are seen, from 1; None for all in their own
     panels  numbers of those that are seen, from 0; None for all that are cut
     facing  the seam that is turned toward the eye; None shows the front
+    sealed  numbers of seams that are seen as thin dark lines
     """
     count = len(design.bag.seams)
     seams = {number: seam_colour(number) for number in range(1, count + 1)} if seams is None else seams
@@ -63,6 +67,10 @@ def bag_picture(
         for run in _runs(design, number):
             if run.panel in shown:
                 parts.append(_ribbon(design, places, run, rgb(of_seam)))
+    for number in sealed:
+        for run in _runs(design, number):
+            if run.panel in shown:
+                parts.append(_ribbon(design, places, run, rgb(_SEALED), _THIN))
     return surface_picture(together(parts), width, height)
 
 
@@ -120,8 +128,8 @@ def _film(design: BagDesign, places: Floats, number: int, film: Floats, *, insid
     )
 
 
-def _ribbon(design: BagDesign, places: Floats, run: Run, colour: Floats) -> Coloured:
-    """A strip of a panel along a seam, a hair over the film on both its sides."""
+def _ribbon(design: BagDesign, places: Floats, run: Run, colour: Floats, share: float = 1.0) -> Coloured:
+    """A strip of a panel along a seam, a hair over the film on both its sides; share: of the usual width."""
     own, _, normals = panel_surface(design, places, run.panel)
     size = extent(places)
     line, up = own[run.vertices], normals[run.vertices]
@@ -132,7 +140,7 @@ def _ribbon(design: BagDesign, places: Floats, run: Run, colour: Floats) -> Colo
     first = next(loop for loop in panel.loops if run.vertices[0] in loop)
     place = int(np.flatnonzero(first == run.vertices[0])[0])
     sense = 1.0 if first[(place + 1) % len(first)] == run.vertices[1] else -1.0
-    wide = min(_RIBBON * size, 0.3 * float(np.ptp(panel.rest_positions, axis=0).min()))
+    wide = share * min(_RIBBON * size, 0.3 * float(np.ptp(panel.rest_positions, axis=0).min()))
     parts = []
     for side in (1.0, -1.0):
         lifted = side * _ABOVE * size * up

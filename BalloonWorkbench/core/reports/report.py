@@ -13,6 +13,7 @@ from BalloonWorkbench.core.design.design import Design, FarStretch, Residual, We
 from BalloonWorkbench.core.design.size_goal import Buoyancy, SizeGoal, scaling_of
 from BalloonWorkbench.core.film.filling import Filling
 from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.film.start_values import start_values_data
 from BalloonWorkbench.core.geometry.triangulation import signed_areas
 from BalloonWorkbench.core.mesh.quality import min_angles
 from BalloonWorkbench.core.options.option import unusual
@@ -131,6 +132,7 @@ def material_data(film: Film) -> dict[str, Any]:
         "areal_density_kg_m2": film.areal_density,
         "weld_rigidity": film.weld_rigidity,
         "weld_rigidity_source": film.weld_rigidity_source,
+        "start_values": start_values_data(film.start_values),
         "grain": None if film.young_modulus_across is None else _grain(film, film.young_modulus_across),
     }
 

@@ -14,9 +14,12 @@ from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document import create, kinds
 from BalloonWorkbench.app.engine import maker
 from BalloonWorkbench.app.engine.export import check_for, export_for
+from BalloonWorkbench.app.properties import film as film_values
 from BalloonWorkbench.core.artwork.files import png_bytes
 from BalloonWorkbench.core.errors import ExportError, InputError
+from BalloonWorkbench.core.film.library import film
 from BalloonWorkbench.core.nesting import nest as nesting
+from BalloonWorkbench.core.test_cards.keep import machine_data
 
 HEART = Path("resources/examples/pictures/heart.png").resolve()
 
@@ -186,6 +189,38 @@ def test_assembly_sheet(parts, tmp_path):
     parts.balloon.Document.recompute()
     with pytest.raises(ExportError, match="not up to date"):
         maker.write_assembly(parts, tmp_path)
+
+
+def test_assembly_sheet_has_the_settings_of_the_machine(parts, tmp_path, monkeypatch):
+    """Those of a machine of the user's own; of others, and without one, nothing is told."""
+    from BalloonWorkbench.core.assembly_sheet import page
+
+    told = []
+
+    def heard(subject, *_given):
+        told.append(subject.settings)
+        return b"%PDF"
+
+    monkeypatch.setattr(page, "assembly_pdf", heard)
+    own = {**machine_data("gcode-marlin"), "name": "tip-pe", "title": "Tip"}
+    own["tool"] = {**own["tool"], "feed_mm_min": 200, "temperature_C": 250, "depth_mm": 0.2}
+    (tmp_path / "tip-pe.json").write_text(json.dumps(own), encoding="utf-8")
+    monkeypatch.setenv("BALLOON_MACHINES", str(tmp_path))
+    assert [maker.told_of(name) for name in ("tip-pe", "gcode-marlin", "any-dxf")] == ["tip-pe", None, None]
+    for name in ("tip-pe", None):
+        maker.write_assembly(parts, tmp_path / "sheet.pdf", machine=name)
+    assert [each.weld for each in told] == ["feed 200 mm/min, temperature 250C, depth 0.2 mm", ""]
+    with pytest.raises(InputError, match='There is no machine "gone"'):
+        maker.write_assembly(parts, tmp_path / "sheet.pdf", machine="gone")
+
+
+def test_film_of_the_library_keeps_its_start_values(parts):
+    """With the object's own numbers, and not among what a result is saved with."""
+    parts.balloon.Film = "pe"
+    assert film_values.read(parts.balloon).start_values == film("pe").start_values
+    assert "start_values" not in parts.balloon.SolvedWith
+    parts.balloon.Film = film_values.CUSTOM
+    assert not film_values.read(parts.balloon).start_values.is_known
 
 
 def test_saved_and_opened(parts, rows, picture, tmp_path):

@@ -189,6 +189,7 @@ def test_custom_film_can_be_edited(panel):
     assert not young.isEnabled()
     hands.choose(hands.find("Film"), "Custom")
     assert young.isEnabled()
+    assert not hands.find("FirstWeld").text()
     hands.type_into(young, "2000000 kPa")
     hands.type_into(hands.find("Thickness"), "0.05 mm")
     assert panel.Balloon.YoungModulus.Value == pytest.approx(2e6)
@@ -196,6 +197,7 @@ def test_custom_film_can_be_edited(panel):
     assert not young.isEnabled()
     assert young.property("rawValue") == pytest.approx(panel.Balloon.YoungModulus.Value)
     assert panel.Balloon.YoungModulus.Value < 1e6
+    assert hands.find("FirstWeld").text().startswith("Start values for welding: bar or iron 108C")
 
 
 def test_pattern_follows_at_once(panel):

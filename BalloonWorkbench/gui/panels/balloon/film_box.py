@@ -11,6 +11,7 @@ from BalloonWorkbench.core.options.body import BandOptions
 from BalloonWorkbench.gui.panels.balloon.card_box import CardBox
 from BalloonWorkbench.gui.panels.bodies.band_choice import BandChoice
 from BalloonWorkbench.gui.panels.widgets.fields import PropertyPage
+from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.window.sentences import translated
 
@@ -24,6 +25,8 @@ class FilmBox(PropertyPage):
         self.card = CardBox(balloon)
         self.card.changed.connect(self.changed)
         self.card.refused.connect(self.refused)
+        self.welding = WrappedLabel()
+        self.welding.setObjectName("FirstWeld")
         self.band = BandChoice(self.form, balloon)
         self.band.changed.connect(self.changed)
         banded = {item.name for item in properties_of(BandOptions)}
@@ -34,6 +37,7 @@ class FilmBox(PropertyPage):
                 _describe(self.fields.widget(item.name))
                 self.form.addRow(QtWidgets.QLabel(translate("Material")))
                 self.form.addRow(self.card)
+                self.form.addRow(self.welding)
 
     def release(self) -> None:
         self.card.release()
@@ -44,6 +48,8 @@ class FilmBox(PropertyPage):
         super().refresh()
         self.card.refresh()
         self.band.refresh()
+        known = film_values.known_films().get(self.obj.Film)
+        self.welding.setText("" if known is None else known.first_weld(translated))
         if self.obj.Film != CUSTOM:  # the library's films have no grain, and welds of their own
             for name in ("YoungModulusAcross", "GrainAngle", "WeldRigidity"):
                 self.form.show_row(name, False)

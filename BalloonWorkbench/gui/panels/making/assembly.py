@@ -6,6 +6,7 @@ from __future__ import annotations
 import FreeCADGui as Gui
 
 from BalloonWorkbench.app.engine import maker
+from BalloonWorkbench.app.properties import preferences
 from BalloonWorkbench.core.assembly_sheet.page import PAGES
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.pages.fonts import can_show
@@ -54,7 +55,8 @@ class AssemblyPanel(TaskPanel):
             self.message.setText(objection)
             return False
         try:
-            written = maker.write_assembly(self.parts, self.file.path, self.paper.currentText())
+            machine = maker.told_of(preferences.machine(self.parts.balloon.Document))
+            written = maker.write_assembly(self.parts, self.file.path, self.paper.currentText(), machine)
         except BalloonError as error:
             self.message.setText(translated(str(error)))
             return False
@@ -64,6 +66,7 @@ class AssemblyPanel(TaskPanel):
             balloon,
             macro_recorder.text(written),
             macro_recorder.text(self.paper.currentText()),
+            **({} if machine is None else {"machine": macro_recorder.text(machine)}),
         )
         self.file.wrote()
         self.close()
