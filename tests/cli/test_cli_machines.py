@@ -95,6 +95,25 @@ def test_gcode_that_cannot_be_is_told_in_a_line(
     assert not (square.parent / "out").exists()
 
 
+def test_tabs_are_left_in_what_a_machine_cuts(square: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The square of 212 mm has nine tabs; what cannot have any is a line before the work."""
+    for words, told in (
+        (("--tabs", "0.4mm"), "give --machine too"),
+        (("--machine", "paper", "--tabs", "0.4mm"), "one that does"),
+        (("--machine", "heat-sealer", "--tabs", "0.4mm"), "one that does"),
+        (("--machine", "inkscape", "--tabs-below", "5cm"), "their width too"),
+        (("--machine", "inkscape", "--tabs", "5cm"), "0.05 mm to 10 mm"),
+    ):
+        assert run(square, *words) == 2
+        assert told in capsys.readouterr().err
+    machines = ("--machine", "inkscape", "--machine", "paper")
+    assert run(square, "--intake", "none", *machines, "--tabs", "0.4mm") == 0
+    cut = (square.parent / "out" / "pattern-inkscape.svg").read_text()
+    assert "CUT" in cut.partition('id="CUT"')[1]
+    assert cut.partition('id="CUT"')[2].count("<path") == 9
+    assert "two tabs" not in capsys.readouterr().out
+
+
 def test_unknown_machine_is_told_before_the_work(square: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert run(square, "--machine", "axe") == 2
     assert "lightburn" in capsys.readouterr().err

@@ -15,6 +15,7 @@ from BalloonWorkbench.app.properties.property_table import Property, shown_value
 
 PATH = "User parameter:BaseApp/Preferences/Mod/BalloonWorkbench"
 _BEDS = f"{PATH}/Beds"  # by the name of the machine, as text
+_TABS, _TABS_BELOW = f"{PATH}/Tabs", f"{PATH}/TabsBelow"  # the same, as lengths in mm
 _RECENT = "RecentExportFolder"
 _GENERAL, _OPENED = "User parameter:BaseApp/Preferences/General", "FileOpenSavePath"  # FreeCAD's own
 _folders: dict[str, str] = {}  # where files went, by the document
@@ -104,6 +105,18 @@ def put_bed(machine, size: tuple[float, float] | None) -> None:
         group.RemString(machine.name)
     else:
         group.SetString(machine.name, bed_text(size))
+
+
+def tabs(name: str) -> tuple[float, float]:
+    """The tabs that the user has given a machine, and below which size of pieces [mm]; 0 is none, and all."""
+    width, below = (App.ParamGet(group).GetFloat(name, 0.0) for group in (_TABS, _TABS_BELOW))
+    return width, below
+
+
+def put_tabs(name: str, width: float, below: float) -> None:
+    """Keep the tabs of a machine [mm]."""
+    for group, value in ((_TABS, width), (_TABS_BELOW, below)):
+        App.ParamGet(group).SetFloat(name, value)
 
 
 def export_folder(doc) -> Path:

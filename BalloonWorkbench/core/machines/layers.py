@@ -59,7 +59,7 @@ class LaserSettings:
 
 def laser_settings(line: Mapping[str, Any], name: str) -> LaserSettings | None:
     """Those of a layer in a machine's file, None where it has none. InputError for such as no laser has."""
-    values = {key: _value(line[key], f"{key} of {name}", *_LIMITS[key]) for key in _LIMITS if key in line}
+    values = {key: number_in(line[key], f"{key} of {name}", *_LIMITS[key]) for key in _LIMITS if key in line}
     if not values:
         return None
     for key in ("speed_mm_s", "max_power_percent"):
@@ -79,7 +79,8 @@ def laser_settings(line: Mapping[str, Any], name: str) -> LaserSettings | None:
     )
 
 
-def _value(value: object, what: str, low: float, high: float) -> float:
+def number_in(value: object, what: str, low: float, high: float) -> float:
+    """A number of a machine's file; InputError for what is none, and for one outside its range."""
     number = float(value) if isinstance(value, (int, float)) and not isinstance(value, bool) else float("nan")
     if not low <= number <= high:
         raise InputError(

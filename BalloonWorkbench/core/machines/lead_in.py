@@ -9,6 +9,7 @@ import numpy as np
 
 from BalloonWorkbench.core.arcs.curves import Curve
 from BalloonWorkbench.core.geometry.vectors import direction
+from BalloonWorkbench.core.machines.contour.start_point import CLEAR, NEAR, turning
 from BalloonWorkbench.core.machines.tool import WELDS
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
@@ -23,6 +24,8 @@ _NEAR = 0.05
 _SIDES = (-0.25 * np.pi, 0.25 * np.pi)
 _AHEAD = (0.0,)
 _PLACES = 32
+#: Where it turns by more within a start's clear way there is a corner [rad].
+_BENT = 0.5
 
 
 class Waste:
@@ -41,10 +44,12 @@ class Waste:
 
     def begun(self, curve: Curve) -> tuple[Curve, Floats | None]:
         """A closed weld [mm], begun as near to its start as there is a way from waste film, and where that
-        way begins (2,); as it is, and None, where there is none."""
-        tried = np.linspace(0, len(curve), min(_PLACES, len(curve)), endpoint=False).astype(int)
-        for joint in tried.tolist():
-            begun = curve.begun_at(joint)
+        way begins (2,); as it is, and None, where there is none. Corners are no such places."""
+        places = np.arange(_PLACES) * curve.length / _PLACES
+        (bent,) = turning(curve, np.empty((0, 2)), places, (CLEAR,))
+        for place in places[bent < _BENT].tolist():
+            begun, joint = curve.jointed(place, NEAR)
+            begun = begun.begun_at(joint)
             way = self._way(begun, _SIDES)
             if way is not None:
                 return begun, way

@@ -54,6 +54,20 @@ class ToolOptions:
 
 
 @dataclass(frozen=True)
+class TabOptions:
+    """Short stretches of a cut that a machine leaves, so that pieces do not fall or fly; lengths [m]."""
+
+    tabs: float = MAKING(Kind.LENGTH, 0.0,
+        "Leave tabs of this width in the cuts of a machine, on straights, two or more on each and one in"
+        " 100 mm, so that pieces stay in the film", prop="")
+    tabs_below: float | None = MAKING(Kind.LENGTH, None,
+        "Only round pieces that are no larger than this either way; by default round all", prop="")
+
+
+NO_TABS = TabOptions()
+
+
+@dataclass(frozen=True)
 class RunOptions:
     """How much of a job is done, and by how many."""
 
