@@ -139,26 +139,26 @@ def test_bed_is_a_field_kept_for_the_machine(made, tmp_path, stand_in):
 
 def test_tabs_are_kept_for_the_machine(made, tmp_path, stand_in):
     choose("Plain paper (PDF)")
-    assert not hands.find("Tabs").isVisible()
+    assert not hands.find("TabWidth").isVisible()
     choose("Any program (DXF)")
-    hands.type_into(hands.find("Tabs"), "many")
+    hands.type_into(hands.find("TabWidth"), "many")
     assert "length" in remarks()[0]
-    hands.type_into(hands.find("Tabs"), "40 mm")
+    hands.type_into(hands.find("TabWidth"), "40 mm")
     assert "A tab must be" in remarks()[0]
-    hands.type_into(hands.find("Tabs"), "0.4 mm")
+    hands.type_into(hands.find("TabWidth"), "0.4 mm")
     assert remarks() == ["Checked: ready to make."]
     hands.screenshot("export_tabs")
     hands.type_into(hands.find("TabsBelow"), "1 cm")
     choose("Tiny laser")
-    assert hands.find("Tabs").text() == ""
+    assert hands.find("TabWidth").text() == ""
     choose("Any program (DXF)")
-    assert (hands.find("Tabs").text(), hands.find("TabsBelow").text()) == ("0.4 mm", "10 mm")
-    hands.type_into(hands.find("TabsBelow"), "")
+    assert (hands.find("TabWidth").text(), hands.find("TabsBelow").text()) == ("0.4 mm", "10 mm")
+    hands.type_into(hands.find("TabsBelow"), "50 cm")
     hands.type_into(hands.find("File"), str(tmp_path / "x.dxf"), confirm=False)
     lines = lines_of_macro(stand_in)
     hands.press("Ok")
     hands.wait_until(hands.panel_is_closed)
-    assert lines[0][1] == {"machine": '"any-dxf"', "tabs": '"0.4 mm"'}
+    assert lines[0][1] == {"machine": '"any-dxf"', "tabs": '"0.4 mm"', "tabs_below": '"500 mm"'}
     assert (tmp_path / "x.dxf").read_bytes().count(b"LWPOLYLINE") > 8
 
 

@@ -28,7 +28,7 @@ class TabRow(QtWidgets.QWidget):
             (
                 (
                     self.width,
-                    "Tabs",
+                    "TabWidth",
                     translate("Tabs"),
                     translate("None"),
                     translate(
