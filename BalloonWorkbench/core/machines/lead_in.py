@@ -31,15 +31,14 @@ _BENT = 0.5
 class Waste:
     """The film between the pieces of a pattern, in millimetres, and the lines that no way there may cross."""
 
-    def __init__(self, pattern: Pattern, longest: float, room: float) -> None:
-        """longest way to a weld, and how far past the pattern's box a tool may come [mm]."""
+    def __init__(self, pattern: Pattern, longest: float, box: tuple[Floats, Floats]) -> None:
+        """longest way to a weld, and the corners (2,) of where a tool may land [mm]."""
         package = shapely()
         cuts, holes = (_areas(pattern, role) for role in (Role.CUT, Role.CUT_INNER))
         self._film = package.union_all(cuts).difference(package.union_all(holes))
         kept = [each.line for each in pattern.contours if each.role in (*WELDS, Role.NOTCH)]
         self._lines = package.union_all([package.LineString(to_mm(line)) for line in kept if len(line) > 1])
-        low, high = (to_mm(corner) for corner in pattern.bounds)
-        self._box = package.box(*(low - room), *(high + room))
+        self._box = package.box(*box[0], *box[1])
         self._longest = longest
 
     def begun(self, curve: Curve) -> tuple[Curve, Floats | None]:

@@ -30,8 +30,8 @@ BAR = 100.0
 _TICK = 4.0
 _BESIDE = 8.0
 BAR_ROOM = _BESIDE + 0.5 * _TICK
-#: Room round the pattern for lead-ins and for the axis of a knife, where the file itself moves the tool [mm].
-_ROOM = 5.0
+#: Room round the pattern for lead-ins and for the axis of a knife, where the file itself moves the tool [m].
+_ROOM = from_mm(5.0)
 #: Lines of one role that are so close all along are one line [mm].
 _SAME = 0.01
 
@@ -49,8 +49,9 @@ class Path:
 class Toolpaths:
     """Paths in the order of the work; lower left corner at the origin, and the size of it all [mm].
 
-    Of a machine that reads G-code it is the corner of the pattern with some room, whatever tool it holds:
-    what is welded and what is cut afterwards lie on each other.
+    Of a machine that reads G-code it is the corner of the film that panels are laid out on, else of the
+    pattern with some room, whatever tool it holds: what is welded and what is cut afterwards lie on each
+    other.
     """
 
     paths: tuple[Path, ...]
@@ -97,7 +98,7 @@ def draw(pattern: Pattern, machine: Machine) -> Toolpaths:
         low = np.min([path.curve.bounds[0] for path in paths], axis=0)
         high = np.max([path.curve.bounds[1] for path in paths], axis=0)
     else:
-        low, high = (to_mm(at) + side * room(machine) for at, side in zip(pattern.bounds, (-1.0, 1.0)))
+        low, high = (to_mm(corner) for corner in reach(pattern, machine))
     width, height = (high - low).tolist()
     return Toolpaths(tuple(replace(path, curve=path.curve.moved(-low)) for path in paths), width, height)
 
@@ -127,9 +128,17 @@ def _in_order(pattern: Pattern, machine: Machine) -> list[Path]:
     ]
 
 
-def room(machine: Machine) -> float:
-    """How far past the pattern a machine's tool may come where the file itself moves it [mm]."""
-    return 0.0 if machine.tool is None else max(_ROOM, to_mm(machine.knife_offset + 0.5 * machine.kerf))
+def reach(pattern: Pattern, machine: Machine) -> tuple[Floats, Floats]:
+    """Lower left and upper right corner (2,) of what a machine's tool may come to [m]: some room past the
+    pattern where the file itself moves it, but no farther than the film that panels are laid out on."""
+    low, high = pattern.bounds
+    if machine.tool is None:
+        return low, high
+    least = machine.knife_offset + 0.5 * machine.kerf
+    room = max(_ROOM, least)
+    if pattern.film is None:
+        return low - room, high + room
+    return np.minimum(low - least, 0.0), np.maximum(high + least, np.minimum(high + room, pattern.film))
 
 
 def _waste(pattern: Pattern, machine: Machine) -> Waste | None:
@@ -141,7 +150,9 @@ def _waste(pattern: Pattern, machine: Machine) -> Waste | None:
         or not pattern.of(Role.CUT)
     ):
         return None
-    return Waste(pattern, to_mm(machine.tool.lead_in), room(machine) - to_mm(machine.knife_offset))
+    low, high = (to_mm(corner) for corner in reach(pattern, machine))
+    inward = to_mm(machine.knife_offset)
+    return Waste(pattern, to_mm(machine.tool.lead_in), (low + inward, high - inward))
 
 
 def fitted(contour: Contour, machine: Machine) -> Iterator[Curve]:

@@ -107,7 +107,7 @@ class Layout:
 
     def pattern(self, pieces: Sequence[Piece]) -> Pattern:
         """All pieces as one pattern, lower left corner of the film at the origin; it has no intake of its
-        own."""
+        own, and knows the film."""
         laid = [
             turned(pieces[place.piece].panel(place.mirrored), place.angle, place.shift)
             for place in self.places
@@ -119,6 +119,7 @@ class Layout:
             more_intakes=(),
             seam_length=sum(pattern.seam_length for pattern in laid),
             warnings=tuple(dict.fromkeys(warning for pattern in laid for warning in pattern.warnings)),
+            film=(self.length, self.stock.width),
         )
 
 
