@@ -32,6 +32,8 @@ _BESIDE = 8.0
 BAR_ROOM = _BESIDE + 0.5 * _TICK
 #: Room round the pattern for lead-ins and for the axis of a knife, where the file itself moves the tool [m].
 _ROOM = from_mm(5.0)
+#: The same to the edge of film, where pieces lie nearer to it [m].
+_LEAST_ROOM = from_mm(1.0)
 #: Lines of one role that are so close all along are one line [mm].
 _SAME = 0.01
 
@@ -134,7 +136,7 @@ def reach(pattern: Pattern, machine: Machine) -> tuple[Floats, Floats]:
     low, high = pattern.bounds
     if machine.tool is None:
         return low, high
-    least = machine.knife_offset + 0.5 * machine.kerf
+    least = max(_LEAST_ROOM, 2.0 * machine.knife_offset + machine.kerf)  # a corner takes more than half of it
     room = max(_ROOM, least)
     if pattern.film is None:
         return low - room, high + room
