@@ -222,7 +222,7 @@ def test_zero_of_a_tool_is_the_corner_of_the_film(spacing: float, monkeypatch: p
         roles = [Role.CUT] if tool is LASER else [Role.SEAL]
         for contour in (each for role in roles for each in sheet.of(role)):
             ring = affinity.translate(shapely.LinearRing(1e3 * contour.points), *-low)
-            assert lines.buffer(0.4).covers(ring)
+            assert lines.buffer(0.6).covers(ring)
     assert turned(sheet, 0.3, np.zeros(2)).film is sheet.moved(np.ones(2)).film is None
 
 
