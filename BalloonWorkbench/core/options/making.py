@@ -138,6 +138,11 @@ class SheetOptions:
     spacing: float = SHEET(Kind.LENGTH, 0.003, "Film left between pieces, and at the edges", label="Spacing")
     grain: str = SHEET(Kind.CHOICE, "along", "How the grain of pieces lies, where their film has one",
         label="Grain lies", flag="--grain-lies", choices={"along": "Along", "across": "Across", "any": "Any"})
+    remnant: str | None = SHEET(Kind.FILE, None,
+        "Lay panels first onto what is left of another layout, as its file says; the rest on the film",
+        label="Remnant", flag="--on-remnant", metavar="FILE")
+    keep_remnant: bool = SHEET(Kind.FLAG, False,
+        "Also write what is left of the film as remnant.json, to lay out on it another time", prop="")
 
 
 @dataclass(frozen=True)
