@@ -233,7 +233,7 @@ def sketch(pattern_obj):
 def nest(patterns, sheet=None, **options):
     """Lay out patterns closely on a new roll or sheet, or on one that is there; returns the object.
 
-    Values are film, film_width, film_length, spacing, balloons, grain, shown. Raises InputError.
+    Values are film, film_width, film_length, spacing, balloons, grain, remnant, shown. Raises InputError.
     """
     from BalloonWorkbench.app import film_sheet
 
@@ -244,6 +244,15 @@ def nest(patterns, sheet=None, **options):
     values.assign_to(made, film_sheet.PROPERTIES, options)
     made.Document.recompute()
     return made
+
+
+@_bordered
+def keep_remnant(sheet, path) -> Path:
+    """Write what is left of the film of a layout, an object of `nest`, as remnant.json into a folder or to a
+    file; `nest(patterns, remnant=path)` lays pieces out on it. Returns the file. Raises InputError."""
+    from BalloonWorkbench.app import film_sheet
+
+    return Path(path) if _done else film_sheet.keep_remnant(sheet, path)
 
 
 @_bordered
