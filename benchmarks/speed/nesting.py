@@ -72,7 +72,7 @@ _HEAD = "| pieces | how many | roll | rows | ours | best found | processor time 
 
 
 def replaced(text: str, found: list[Nested]) -> str:
-    """The page of speed with its part about layouts, after all others; as it is where nothing was measured."""
+    """The page of speed with its part about layouts, the last one; as it is where nothing was measured."""
     if not found:
         return text
     parts = [part for part in text.rstrip("\n").split("\n\n## ") if not part.startswith(_TITLE)]

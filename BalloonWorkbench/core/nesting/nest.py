@@ -36,6 +36,7 @@ from BalloonWorkbench.core.nesting.layout import (
 )
 from BalloonWorkbench.core.nesting.remnant import Remnant
 from BalloonWorkbench.core.nesting.rows import in_rows
+from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.types import Progress, no_progress
 from BalloonWorkbench.core.units import from_mm, length_text, to_mm
 
@@ -50,6 +51,8 @@ _LIMIT = 120  # s, an end to the search should it never come to one
 _USUAL = 20.0  # s
 #: A strip that the pieces would fill to less than that is laid in rows [m].
 _LEAST_DEPTH = from_mm(5.0)
+#: So much longer may film be that is filled in another way, at first.
+_LONGER = 1.1
 _LOOK = 0.05  # s
 #: A signal that nobody else uses; none is ever sent from outside.
 _SIGNAL = getattr(signal, "SIGUSR1", None) or signal.SIGTERM
@@ -95,8 +98,11 @@ def _on_film(
     """The same of some pieces on a roll or on sheets."""
     units, guests = into_holes(pieces, stock, units)
     if importlib.util.find_spec(PACKAGE) is None:
-        rows = in_rows(pieces, stock, units)
-        return tuple(layout_of(stock, pieces, with_guests(places, guests)) for places in rows), (ROWS_NOTE,)
+        rows = [layout_of(stock, pieces, places) for places in in_rows(pieces, stock, units)]
+        laid = rows if stock.length is not None else [_closer(pieces, rows[0], units, progress)]
+        return tuple(layout_of(stock, pieces, with_guests(layout.places, guests)) for layout in laid), (
+            ROWS_NOTE,
+        )
     if stock.length is None:
         places, length = _strip(pieces, stock, units, None, progress)
         (row,) = in_rows(pieces, stock, units)
@@ -105,6 +111,15 @@ def _on_film(
         return (layout_of(stock, pieces, with_guests(places, guests)),), ()
     layouts = _sheets(pieces, stock, units, progress)
     return tuple(layout_of(stock, pieces, with_guests(layout.places, guests)) for layout in layouts), ()
+
+
+def _closer(pieces: Sequence[Piece], row: Layout, units: Sequence[Unit], progress: Progress) -> Layout:
+    """Pieces on a roll as they fill a shape of about that length, where that takes less film than rows."""
+    stock = row.stock
+    strip = Remnant(shapely().box(0.0, 0.0, _LONGER * row.length, stock.width))
+    places, left = in_shape(pieces, of_remnant(strip, stock), units, progress)
+    filled = row if left else layout_of(stock, pieces, places)
+    return filled if filled.length < row.length else row
 
 
 def _units(pieces: Sequence[Piece]) -> list[Unit]:
