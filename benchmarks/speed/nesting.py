@@ -63,12 +63,12 @@ _TEXT = """\
 
 Panels of example pictures 250 mm wide, front and mirrored back, and of balls of 400 mm, on a roll with 3 mm
 between them: film in pieces relative to the film that is taken. Ours is what `--nest` gives, which searches
-with the package spyrrow on one thread until it ends by itself; rows are what it gives without that package.
+with the package spyrrow on one thread until it ends by itself; the column before is what it gives without that package.
 The other is spyrrow alone, on the same outlines, width, spacing and angles, {seeds} times {seconds} s on all
 threads; the best of all counts. Ours is at most {behind:.1f} points behind it. Run of {date}.
 
 {table}"""
-_HEAD = "| pieces | how many | roll | rows | ours | best found | processor time of ours |"
+_HEAD = "| pieces | how many | roll | without spyrrow | ours | best found | processor time of ours |"
 
 
 def replaced(text: str, found: list[Nested]) -> str:
