@@ -63,9 +63,10 @@ _TEXT = """\
 
 Panels of example pictures 250 mm wide, front and mirrored back, and of balls of 400 mm, on a roll with 3 mm
 between them: film in pieces relative to the film that is taken. Ours is what `--nest` gives, which searches
-with the package spyrrow on one thread until it ends by itself; the column before is what it gives without that package.
-The other is spyrrow alone, on the same outlines, width, spacing and angles, {seeds} times {seconds} s on all
-threads; the best of all counts. Ours is at most {behind:.1f} points behind it. Run of {date}.
+with the package spyrrow on one thread until it ends by itself; the column before is what it gives without
+that package. The other is spyrrow alone, on the same outlines, width, spacing and angles, {seeds} times
+{seconds} s on all threads; the best of all counts. Ours is at most {behind:.1f} points behind it. Run of
+{date}.
 
 {table}"""
 _HEAD = "| pieces | how many | roll | without spyrrow | ours | best found | processor time of ours |"
