@@ -29,7 +29,7 @@ _STEPS = (1.0, 0.5, 0.25, 0.125, 0.0625)
 
 
 @dataclass(frozen=True)
-class _Way:
+class _TurnedPiece:
     """A piece turned by an angle [rad]: its outline, the cells that it may touch (n, m), and the lower left
     corner (2,) of these [m]."""
 
@@ -54,7 +54,7 @@ class _Room:
         x, y = np.meshgrid(self._x, self._y, indexing="ij")
         self._taken = ~package.contains_xy(inner, x, y)
 
-    def way(self, panel: Any, degrees: float) -> _Way:
+    def way(self, panel: Any, degrees: float) -> _TurnedPiece:
         """A piece turned by so much."""
         package, angle = shapely(), float(np.radians(degrees))
         outline = outline_of(turned(panel, angle, np.zeros(2)))
@@ -64,9 +64,9 @@ class _Room:
         y = np.arange(below + 0.5 * self.step, above + self.step, self.step)
         package.prepare(grown)
         cells = package.contains_xy(grown, *np.meshgrid(x, y, indexing="ij"))
-        return _Way(angle, outline, cells, np.array([left, below]))
+        return _TurnedPiece(angle, outline, cells, np.array([left, below]))
 
-    def place(self, ways: Sequence[_Way]) -> tuple[_Way, Floats] | None:
+    def place(self, ways: Sequence[_TurnedPiece]) -> tuple[_TurnedPiece, Floats] | None:
         """The way, and the shift (2,), that lies farthest to the left, and of these lowest; None without."""
         taken = np.fft.rfft2(self._taken.astype(np.float32))
         found: list[tuple[float, float, int, Floats]] = []
@@ -86,7 +86,7 @@ class _Room:
                 return ways[number], self._moved_on(ways[number], at)
         return None
 
-    def take(self, way: _Way, shift: Floats, spacing: float) -> None:
+    def take(self, way: _TurnedPiece, shift: Floats, spacing: float) -> None:
         """A piece lies there."""
         package = shapely()
         laid = package.transform(way.outline, lambda points: points + shift)
@@ -99,11 +99,11 @@ class _Room:
         inside = package.contains_xy(grown, *np.meshgrid(self._x[x], self._y[y], indexing="ij"))
         self._taken[np.ix_(x, y)] |= inside
 
-    def _fits(self, way: _Way, shift: Floats) -> bool:
+    def _fits(self, way: _TurnedPiece, shift: Floats) -> bool:
         package = shapely()
         return bool(self.area.contains(package.transform(way.outline, lambda points: points + shift)))
 
-    def _moved_on(self, way: _Way, shift: Floats) -> Floats:
+    def _moved_on(self, way: _TurnedPiece, shift: Floats) -> Floats:
         """The same place moved to the left and down until the piece touches."""
         for step in (each * self.step for each in _STEPS):
             for ahead in (np.array([-step, 0.0]), np.array([0.0, -step])):
