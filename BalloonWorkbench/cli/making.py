@@ -183,9 +183,9 @@ def _nest(
                 lines += [say(f"Check, {which}: {doubt}") for doubt in doubts]
             lines.append(say(f"{which}: {_used(layout)}"))
         if options.keep_remnant:
-            files, told = _left(layouts, pieces, stock)
+            files, remark = _left(layouts, pieces, stock)
             contents |= files
-            lines.append(say(f"{say(title)}: {told}"))
+            lines.append(say(f"{say(title)}: {remark}"))
     lines += [say(f"Note: {remark}") for remark in dict.fromkeys(notes)]
     return contents, lines
 

@@ -69,7 +69,7 @@ class _Room:
     def place(self, ways: Sequence[_TurnedPiece]) -> tuple[_TurnedPiece, Floats] | None:
         """The way, and the shift (2,), that lies farthest to the left, and of these lowest; None without."""
         taken = np.fft.rfft2(self._taken.astype(np.float32))
-        found: list[tuple[float, float, int, Floats]] = []
+        candidates: list[tuple[float, float, int, Floats]] = []
         for number, way in enumerate(ways):
             last = self._counts - np.array(way.cells.shape)
             if (last < 0).any():
@@ -80,8 +80,8 @@ class _Room:
             if len(free):
                 at = self.step * free[0] - way.low  # by x, then by y
                 end = float(np.round(at[0] + way.outline.bounds[2], 9))
-                found.append((end, float(at[1]), number, at))
-        for _, _, number, at in sorted(found, key=lambda each: each[:3]):
+                candidates.append((end, float(at[1]), number, at))
+        for _, _, number, at in sorted(candidates, key=lambda each: each[:3]):
             if self._fits(ways[number], at):
                 return ways[number], self._moved_on(ways[number], at)
         return None
@@ -130,12 +130,12 @@ def in_shape(
     stopped = False
     for number, unit in enumerate(order):
         stopped = stopped or not progress(number / len(order), "laying out")
-        found = None if unit in full or stopped else room.place(ways[unit])
-        if found is None:
+        lies = None if unit in full or stopped else room.place(ways[unit])
+        if lies is None:
             full.add(unit)
             left.append(unit)
             continue
-        way, shift = found
+        way, shift = lies
         room.take(way, shift, stock.spacing)
         places.append(Place(*unit, way.angle, shift))
     return places, left
