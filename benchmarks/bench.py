@@ -5,6 +5,7 @@ bench.py [--sizes N ...] [--evolver-sizes N ...]
 bench.py --commands  only whole commands: the rest of the page stays as it is
 bench.py --account   only where the time of a cold inflation goes, for the disc: the rest of the page stays
 bench.py --strokes   only how soon a stroke is a balloon on the screen: the rest of the page stays as it is
+bench.py --nesting   only how much film layouts use, where spyrrow is installed: the rest of the page stays
 bench.py --studies 1000   only how much of the machine a study uses, what kills cost: build/bench/studies.json
 """
 
@@ -16,7 +17,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from speed import commands, page, strokes, studies, suite
+from speed import commands, nesting, page, strokes, studies, suite
 
 ROOT = Path(__file__).resolve().parents[1]
 
@@ -29,6 +30,7 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("--strokes", action="store_true")
     parser.add_argument("--commands", action="store_true")
     parser.add_argument("--account", action="store_true")
+    parser.add_argument("--nesting", action="store_true")
     parser.add_argument("--studies", type=int, metavar="BALLOONS")
     options = parser.parse_args(arguments)
     folder = ROOT / "build" / "bench"
@@ -45,6 +47,8 @@ def main(arguments: list[str]) -> int:
         text = page.with_commands(file.read_text(encoding="utf-8"), measured, commands.loading())
     elif options.strokes:
         text = page.with_strokes(file.read_text(encoding="utf-8"), strokes.measure(folder))
+    elif options.nesting:
+        text = nesting.replaced(file.read_text(encoding="utf-8"), nesting.measure())
     elif options.account:
         measured = suite.measure_account(folder, sorted(options.sizes))
         text = page.with_account(file.read_text(encoding="utf-8"), measured)
@@ -52,6 +56,7 @@ def main(arguments: list[str]) -> int:
         text = page.written(
             suite.measure(folder, sorted(options.sizes), sorted(options.evolver_sizes), sys.stdout)
         )
+        text = nesting.replaced(text, nesting.measure())
     file.write_text(text, encoding="utf-8")
     sys.stdout.write("\n" + text)
     return 0

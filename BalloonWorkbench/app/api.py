@@ -163,13 +163,17 @@ def export(
     paper: str | None = None,
     bed: str | None = None,
     oversize: str = "refuse",
+    tabs: str | None = None,
+    tabs_below: str | None = None,
 ) -> Path:
     """Write a pattern, or all of a group, to a DXF or SVG file, or as a machine reads it; returns the file.
 
     A pattern larger than the machine's bed (`bed` gives another one, such as "600 x 400 mm", "600 mm" for a
     roll, or "none") is refused; with oversize "write" it is written all the same, with "scale" the balloon is
-    made smaller until it fits. Given a Balloon object it writes what the film does everywhere, as .vtu, .npz
-    or .stl; given an artwork, all its files into a folder. Raises ExportError.
+    made smaller until it fits. With tabs of a width such as "0.4 mm" pieces stay in the film, only those no
+    larger than tabs_below, such as "50 mm", where that is given. Given a Balloon object it writes what the
+    film does everywhere, as .vtu, .npz or .stl; given an artwork, all its files into a folder. Raises
+    ExportError.
     """
     from BalloonWorkbench.app import artwork as prints
 
@@ -179,19 +183,26 @@ def export(
         prints.write(obj, path)
         return Path(path)
     if machine:
-        return writer.export_for(obj, machine, path, paper, bed, oversize)
+        return writer.export_for(obj, machine, path, paper, bed, oversize, tabs, tabs_below)
     results = is_balloon(obj)
     return (writer.export_results if results else writer.export_pattern)(obj, path)
 
 
 @_bordered
-def tool_paths(obj, machine: str, bed: str | None = None, oversize: str = "refuse") -> list:
+def tool_paths(
+    obj,
+    machine: str,
+    bed: str | None = None,
+    oversize: str = "refuse",
+    tabs: str | None = None,
+    tabs_below: str | None = None,
+) -> list:
     """Objects of FreeCAD's workbench Path (CAM since 1.0) with the moves of a pattern's G-code.
 
-    machine, one that reads G-code, bed and oversize as for `export`; one object for each film. Raises
+    machine, one that reads G-code, and all others as for `export`; one object for each film. Raises
     ExportError.
     """
-    return _done[-1] if _done else writer.tool_paths(obj, machine, bed, oversize)
+    return _done[-1] if _done else writer.tool_paths(obj, machine, bed, oversize, tabs, tabs_below)
 
 
 @_bordered
@@ -223,7 +234,7 @@ def sketch(pattern_obj):
 def nest(patterns, sheet=None, **options):
     """Lay out patterns closely on a new roll or sheet, or on one that is there; returns the object.
 
-    Values are film, film_width, film_length, spacing, balloons, grain, shown. Raises InputError.
+    Values are film, film_width, film_length, spacing, balloons, grain, remnant, shown. Raises InputError.
     """
     from BalloonWorkbench.app import film_sheet
 
@@ -234,6 +245,15 @@ def nest(patterns, sheet=None, **options):
     values.assign_to(made, film_sheet.PROPERTIES, options)
     made.Document.recompute()
     return made
+
+
+@_bordered
+def keep_remnant(sheet, path) -> Path:
+    """Write what is left of the film of a layout, an object of `nest`, as remnant.json into a folder or to a
+    file; `nest(patterns, remnant=path)` lays pieces out on it. Returns the file. Raises InputError."""
+    from BalloonWorkbench.app import film_sheet
+
+    return Path(path) if _done else film_sheet.keep_remnant(sheet, path)
 
 
 @_bordered

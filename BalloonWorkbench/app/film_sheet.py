@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+from pathlib import Path
 
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document import arrange
@@ -36,6 +37,7 @@ PROPERTIES = (
     Property("Integer", "Shown", "Film", "Number of the sheet that is shown and exported", 1),
     result("Float", "Used", "Part of the film that the pieces take, in per cent"),
     result("Length", "UsedLength", "Length of the roll that is used"),
+    result("Length", "UsedWidth", "Width of the film of what is shown"),
     result("Integer", "Sheets", "Number of sheets"),
     result("Integer", "Pieces", "Number of pieces on what is shown"),
     result("Length", "SeamLength", "Length of all welds on it"),
@@ -45,9 +47,13 @@ PROPERTIES = (
     result("StringList", "Warnings", "Remarks on the layout"),
     result("String", "Status", "Up to date, or what is wrong"),
     result("String", "Layouts", "Where all pieces lie, as JSON", hidden=True),
+    result("IntegerList", "OnRemnants", "On which remnant each sheet is, -1 for none", hidden=True),
     result("String", "LaidOutFor", "Label of what was laid out", hidden=True),
     *arrange.PROPERTIES,
 )
+
+#: The file of what is left of another layout.
+REMNANT = next(item for item in PROPERTIES if item.name == "Remnant")
 
 
 class FilmSheetProxy(DocumentProxy):
@@ -74,22 +80,21 @@ class FilmSheetProxy(DocumentProxy):
 
         parted, stock = _by_film(obj), _stock(obj)
         pieces = _chosen(obj, parted)
-        label = _label(pieces, stock)
+        remnants = _remnants(obj)
+        label = _label(pieces, stock, remnants)
         if label != obj.LaidOutFor:
             from BalloonWorkbench.core.nesting.nest import nest
 
             layouts, remarks = hooks.run_blocking(
-                f"Laying out {obj.Label}", lambda progress: nest(pieces, stock, progress)
+                f"Laying out {obj.Label}", lambda progress: nest(pieces, stock, progress, remnants)
             )
-            _keep(output, layouts)
+            _keep(output, layouts, remnants)
             output.Warnings, output.LaidOutFor = [*remarks, *_left_out(obj, parted)], label
         show(output, pieces, stock)
 
     def cut_pattern(self, obj):
         """All pieces of the sheet that is shown, as one pattern."""
-        pieces, stock = _chosen(obj, _by_film(obj)), _stock(obj)
-        if _label(pieces, stock) != obj.LaidOutFor:
-            raise InputError(f"The layout of {obj.Label} is older than its patterns: recompute it.")
+        pieces, stock = _up_to_date(obj)
         return _layout(obj, stock, pieces).pattern(pieces)
 
 
@@ -106,8 +111,40 @@ def make(doc, patterns):
     return obj
 
 
+def keep_remnant(obj, target) -> Path:
+    """Write what is left of all its film, for another layout; returns the file.
+
+    Raises InputError where the object is not up to date or nothing is left that can be used, ExportError for
+    a place that cannot be written.
+    """
+    from BalloonWorkbench.core.files.write import write_files
+    from BalloonWorkbench.core.nesting.layout import left_of
+    from BalloonWorkbench.core.nesting.remnant import FILE, remnant_bytes
+
+    path = Path(target)
+    path = path / FILE if path.is_dir() else path
+    pieces, stock = _up_to_date(obj)
+    numbers = range(1, obj.Sheets + 1)
+    left = [each for number in numbers for each in left_of(_layout(obj, stock, pieces, number), pieces)]
+    if not left:
+        raise InputError(f"Of the film of {obj.Label} nothing is left that is large enough to be used again.")
+    write_files(path.parent, {path.name: remnant_bytes(left)})
+    return path
+
+
+def _up_to_date(obj):
+    """Pieces and film of what is laid out. InputError where it is older than its patterns."""
+    pieces, stock = _chosen(obj, _by_film(obj)), _stock(obj)
+    if _label(pieces, stock, _remnants(obj)) != obj.LaidOutFor:
+        raise InputError(f"The layout of {obj.Label} is older than its patterns: recompute it.")
+    return pieces, stock
+
+
 def show(obj, pieces, stock) -> None:
     """Write the chosen sheet into the object: the pieces, and the edge of the film."""
+    from dataclasses import replace
+
+    import numpy as np
     import Part
 
     from BalloonWorkbench.app.shapes.part_shapes import wire
@@ -119,9 +156,11 @@ def show(obj, pieces, stock) -> None:
     cuts, inner = pattern.of(Role.CUT), pattern.of(Role.CUT_INNER)
     beside = (Role.SEAL, Role.WELD, Role.NOTCH, Role.FOLD, Role.PEN, Role.ENGRAVE)
     lines = [*cuts, *inner, *(contour for role in beside for contour in pattern.of(role))]
-    edge = Part.makePlane(to_mm(layout.length), to_mm(stock.width)).OuterWire
-    obj.Shape = Part.Compound([edge, *(wire(line.points, line.closed) for line in lines)])
-    obj.Roles = ["", *(line.role.value for line in lines)]
+    film = replace(layout.stock, length=layout.length).film
+    edges = [wire(np.asarray(ring.coords)[:-1], True) for ring in (film.exterior, *film.interiors)]
+    obj.Shape = Part.Compound([*edges, *(wire(line.points, line.closed) for line in lines)])
+    obj.Roles = [*([""] * len(edges)), *(line.role.value for line in lines)]
+    obj.UsedWidth = to_mm(layout.stock.width)
     obj.Used, obj.UsedLength = 100.0 * layout.utilisation, to_mm(layout.length)
     obj.Pieces, obj.Sheets = len(layout.places), len(json.loads(obj.Layouts))
     obj.SeamLength = to_mm(pattern.seam_length)
@@ -174,7 +213,17 @@ def _stock(obj):
     return Stock(options.film_width, options.film_length, options.spacing, GrainRule(options.grain))
 
 
-def _label(pieces, stock) -> str:
+def _remnants(obj) -> list:
+    """What is left of other layouts, on which pieces are laid first."""
+    from BalloonWorkbench.core.nesting.remnant import read_remnants
+    from BalloonWorkbench.core.products import insist_on_films
+
+    remnants = read_remnants(Path(obj.Remnant)) if obj.Remnant else []
+    insist_on_films(remnants, [FILMS[obj.Film]])
+    return remnants
+
+
+def _label(pieces, stock, remnants) -> str:
     """The same for the same layout: pieces and film without their last digits."""
     import numpy as np
 
@@ -184,13 +233,18 @@ def _label(pieces, stock) -> str:
         digest.update(f"{piece.count} {piece.backs} {grain}".encode())
         for contour in piece.pattern.contours:
             digest.update((np.round(contour.points, 7) + 0.0).tobytes())
+    for remnant in remnants:
+        for ring in (remnant.area.exterior, *remnant.area.interiors):
+            digest.update((np.round(ring.coords, 7) + 0.0).tobytes())
     numbers = (stock.width, stock.length or 0.0, stock.spacing)
     digest.update(f"{' '.join(f'{number:.9g}' for number in numbers)} {stock.grain.value}".encode())
     return digest.hexdigest()
 
 
-def _keep(obj, layouts) -> None:
+def _keep(obj, layouts, remnants) -> None:
     """Write where all pieces lie into the object."""
+    used = [layout.stock.remnant for layout in layouts]
+    obj.OnRemnants = [-1 if each is None else remnants.index(each) for each in used]
     places = [
         [[place.piece, place.mirrored, place.angle, *place.shift.tolist()] for place in layout.places]
         for layout in layouts
@@ -198,17 +252,19 @@ def _keep(obj, layouts) -> None:
     obj.Layouts = json.dumps(places)
 
 
-def _layout(obj, stock, pieces):
-    """The layout that is shown, from what `_keep` has written. InputError for a number that there is not."""
+def _layout(obj, stock, pieces, number=None):
+    """The layout of a number, else that which is shown, from what `_keep` has written. InputError for a
+    number that there is not."""
     import numpy as np
 
-    from BalloonWorkbench.core.nesting.layout import Place, layout_of
+    from BalloonWorkbench.core.nesting.layout import Place, layout_of, of_remnant
 
-    sheets = json.loads(obj.Layouts)
-    if not 1 <= obj.Shown <= len(sheets):
-        raise InputError(f"There is no sheet {obj.Shown}: give a number from 1 to {len(sheets)}.")
+    sheets, number = json.loads(obj.Layouts), number or obj.Shown
+    if not 1 <= number <= len(sheets):
+        raise InputError(f"There is no sheet {number}: give a number from 1 to {len(sheets)}.")
     places = [
         Place(int(piece), bool(mirrored), angle, np.array([x, y]))
-        for piece, mirrored, angle, x, y in sheets[obj.Shown - 1]
+        for piece, mirrored, angle, x, y in sheets[number - 1]
     ]
-    return layout_of(stock, pieces, places)
+    on = [*obj.OnRemnants, *[-1] * len(sheets)][number - 1]  # older documents know of none
+    return layout_of(stock if on < 0 else of_remnant(_remnants(obj)[on], stock), pieces, places)

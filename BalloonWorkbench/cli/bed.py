@@ -11,8 +11,9 @@ from BalloonWorkbench.cli.options import typed
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.job import Balloon
 from BalloonWorkbench.core.machines.bed import fits, scale_to_fit
+from BalloonWorkbench.core.machines.contour.tabs import leaves_tabs, with_tabs
 from BalloonWorkbench.core.machines.machine import Machine, complete, holding, machine
-from BalloonWorkbench.core.options.making import REFUSE, SCALE, ToolOptions
+from BalloonWorkbench.core.options.making import REFUSE, SCALE, TabOptions, ToolOptions
 from BalloonWorkbench.core.options.option import unusual
 from BalloonWorkbench.core.pattern.pattern import Pattern
 from BalloonWorkbench.core.units import length_text
@@ -38,8 +39,14 @@ def machines_of(options: argparse.Namespace) -> list[Machine]:
             "A volume or a lift decides the size, so the balloon cannot be scaled to fit: leave out"
             " --oversize scale, or what you give of --target-volume, --target-lift and --gas-volume."
         )
+    tabs = typed(options, TabOptions)
+    if tabs.tabs_below is not None and not tabs.tabs:
+        raise InputError("--tabs-below is about tabs: give their width too, such as --tabs 0.4mm.")
+    known = [holding(machine(name, options.bed), wishes) for name in options.machine]
+    if unusual(tabs) and not any(leaves_tabs(each) for each in known):
+        raise InputError("Tabs are left by a machine that cuts: give --machine too, and one that does.")
     # what nobody else knows is asked for before the work
-    return [complete(holding(machine(name, options.bed), wishes)) for name in options.machine]
+    return [complete(with_tabs(each, tabs)) for each in known]
 
 
 def scaled_to_fit(

@@ -15,11 +15,12 @@ from BalloonWorkbench.core.errors import ExportError, InputError
 from BalloonWorkbench.core.job import Balloon
 from BalloonWorkbench.core.language.speech import chosen_language
 from BalloonWorkbench.core.machines.machine import ANY, Machine, machines
-from BalloonWorkbench.core.machines.machine_file import checked_files
+from BalloonWorkbench.core.machines.machine_file import checked_files, file_of_stock
 from BalloonWorkbench.core.options.making import HTML
 from BalloonWorkbench.core.tracing.picture_file import decode, picture_size
 from BalloonWorkbench.core.types import Attempt, Progress, Say
 from BalloonWorkbench.core.units import (
+    area_text,
     number_text,
     parse_size,
     percent_text,
@@ -28,7 +29,8 @@ from BalloonWorkbench.core.units import (
 
 if TYPE_CHECKING:  # only what is asked for is loaded
     from BalloonWorkbench.core.bag_job import FinishedBags
-    from BalloonWorkbench.core.nesting.layout import Stock
+    from BalloonWorkbench.core.nesting.layout import Layout, Piece, Stock
+    from BalloonWorkbench.core.nesting.remnant import Remnant
     from BalloonWorkbench.core.products import Artwork
 
 
@@ -41,7 +43,7 @@ def checked(
     Raises InputError for options that make no sense.
     """
     artwork = _artwork(options, reader or decode)
-    stock = None if options.nest is None else _stock(options)
+    film = _film(options)
     language = chosen_language(options.language, os.environ)
 
     def make(
@@ -55,11 +57,11 @@ def checked(
             made.append(
                 attempt("The print on film", lambda: _print(balloon, artwork, asked, options.oversize, say))
             )
-        if stock is not None:
+        if film is not None:
             made.append(
                 attempt(
                     "The layout on film",
-                    lambda: _nest(balloon, stock, options.balloons, asked, options.oversize, progress, say),
+                    lambda: _nest(balloon, film, options, asked, progress, say),
                 )
             )
         title = readable(Path(options.input).stem).capitalize()
@@ -136,20 +138,26 @@ def _artwork(options: argparse.Namespace, reader: Callable[[Path], Any]) -> Artw
     return Artwork(front, traced, back[0] if back else None, options.dpi, options.bleed, options.drawn_as)
 
 
-def _stock(options: argparse.Namespace) -> Stock:
-    """'500mm', '500mmx700mm' or '50 x 70 cm': width, and length of a sheet."""
+def _film(options: argparse.Namespace) -> tuple[Stock, list[Remnant]] | None:
+    """What panels are laid out on: '500mm', '500mmx700mm' or '50 x 70 cm', width and length of a sheet; and
+    remnants, which are all of it where no size is given. None where nothing is laid out."""
+    if options.nest is None and options.on_remnant is None:
+        if options.keep_remnant:
+            raise InputError("A remnant is left of a layout: give --nest too, such as --nest 500mm.")
+        return None
     from BalloonWorkbench.core.nesting.layout import GrainRule, Stock
+    from BalloonWorkbench.core.nesting.remnant import read_remnants
 
-    width, length = parse_size(options.nest)
-    return Stock(width, length, options.spacing, GrainRule(options.grain_lies))
+    remnants = [] if options.on_remnant is None else read_remnants(Path(options.on_remnant))
+    width, length = remnants[0].size[::-1] if options.nest is None else parse_size(options.nest)
+    return Stock(width, length, options.spacing, GrainRule(options.grain_lies)), remnants
 
 
 def _nest(
     balloon: Balloon | FinishedBags,
-    stock: Stock,
-    count: int,
+    film: tuple[Stock, list[Remnant]],
+    options: argparse.Namespace,
     machines: Sequence[Machine],
-    oversize: str,
     progress: Progress,
     say: Say,
 ) -> tuple[dict[str, bytes], list[str]]:
@@ -158,20 +166,43 @@ def _nest(
     contents: dict[str, bytes] = {}
     lines: list[str] = []
     notes: list[str] = []
-    for film, (layouts, pieces, remarks) in nested(balloon, stock, count, progress).items():
-        title = f"{film} film".strip().capitalize()
+    laid = nested(balloon, film[0], options.balloons, progress, film[1], options.nest is None)
+    for stock, (layouts, pieces, remarks) in laid.items():
+        title = f"{stock} film".strip().capitalize()
         notes += remarks
         for number, layout in enumerate(layouts, 1):
             suffix, which = "" if number == 1 else f"-{number}", f"{say(title)} {number}"
             for each in machines:
                 try:
-                    made, doubts = checked_files(layout.pattern(pieces), [each], oversize=oversize)
+                    made, doubts = checked_files(layout.pattern(pieces), [each], oversize=options.oversize)
                 except ExportError as error:
                     lines.append(say(f"Left out: {error}"))
                     continue
                 contents |= {f"nested{suffix}-{name}": content for name, content in made.items()}
                 lines += [say(f"Check, {which}: {doubt}") for doubt in doubts]
-            size, used = size_text(layout.length, stock.width), percent_text(layout.utilisation)
-            lines.append(say(f"{which}: pieces {len(layout.places)}, on {size}, {used} used"))
+            lines.append(say(f"{which}: {_used(layout)}"))
+        if options.keep_remnant:
+            files, remark = _left(layouts, pieces, stock)
+            contents |= files
+            lines.append(say(f"{say(title)}: {remark}"))
     lines += [say(f"Note: {remark}") for remark in dict.fromkeys(notes)]
     return contents, lines
+
+
+def _used(layout: Layout) -> str:
+    """What a layout takes of its film."""
+    size, used = size_text(layout.length, layout.stock.width), percent_text(layout.utilisation)
+    where = "on a remnant of" if layout.stock.remnant else "on"
+    return f"pieces {len(layout.places)}, {where} {size}, {used} used"
+
+
+def _left(layouts: Sequence[Layout], pieces: Sequence[Piece], stock: str) -> tuple[dict[str, bytes], str]:
+    """The file of what is left of a film, and what to say about it."""
+    from BalloonWorkbench.core.nesting.layout import left_of
+    from BalloonWorkbench.core.nesting.remnant import FILE, remnant_bytes
+
+    left = [each for layout in layouts for each in left_of(layout, pieces)]
+    if not left:
+        return {}, "nothing is left that is large enough to be used again"
+    area = area_text(sum(float(each.area.area) for each in left))
+    return {file_of_stock(FILE, stock): remnant_bytes(left)}, f"remnants {len(left)}, {area}"

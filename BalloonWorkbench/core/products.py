@@ -8,7 +8,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -26,6 +26,7 @@ from BalloonWorkbench.core.bag_design.bag_design import BagDesign
 from BalloonWorkbench.core.bag_job import BagPart, FinishedBags
 from BalloonWorkbench.core.bag_pattern.bag_patterns import BagPatterns
 from BalloonWorkbench.core.design.design import Design
+from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.geometry.polyline import bounds, signed_area
 from BalloonWorkbench.core.job import Balloon, Part
@@ -34,6 +35,7 @@ from BalloonWorkbench.core.making.bag_numbers import bag_pieces
 from BalloonWorkbench.core.making.numbers import Numbers
 from BalloonWorkbench.core.nesting.layout import Layout, Piece, Stock
 from BalloonWorkbench.core.nesting.nest import nest
+from BalloonWorkbench.core.nesting.remnant import Remnant
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.layout import beside, in_rows
 from BalloonWorkbench.core.pattern.make import sheet_of
@@ -202,17 +204,33 @@ def by_stock(pieces: Sequence[Piece]) -> dict[str, list[Piece]]:
 
 
 def nested(
-    balloon: Balloon | FinishedBags, stock: Stock, copies: int, progress: Progress = no_progress
+    balloon: Balloon | FinishedBags,
+    stock: Stock,
+    copies: int,
+    progress: Progress = no_progress,
+    remnants: Sequence[Remnant] = (),
+    only_remnants: bool = False,
 ) -> dict[str, tuple[tuple[Layout, ...], list[Piece], tuple[str, ...]]]:
     """For each film, the balloon's first: layouts of so many balloons, their pieces, and remarks.
 
-    Raises what `nest` raises.
+    Raises what `nest` raises, and InputError for a remnant of film that nothing is cut from.
     """
-    laid = {}
-    for name, parted in by_stock(_all_pieces(balloon, copies)).items():
-        layouts, remarks = nest(parted, stock, progress)
+    laid, films = {}, by_stock(_all_pieces(balloon, copies))
+    insist_on_films(remnants, films)
+    for name, parted in films.items():
+        own = [each for each in remnants if each.stock == name]
+        layouts, remarks = nest(parted, stock, progress, own, only_remnants)
         laid[name] = layouts, parted, remarks
     return laid
+
+
+def insist_on_films(remnants: Sequence[Remnant], films: Collection[str]) -> None:
+    """Raises InputError for a remnant of film that nothing is cut from."""
+    for each in remnants:
+        if each.stock not in films:
+            raise InputError(
+                f"The remnant is of {each.stock or 'balloon'} film, and no piece here is cut from that."
+            )
 
 
 def _all_pieces(balloon: Balloon | FinishedBags, copies: int) -> list[Piece]:

@@ -199,7 +199,7 @@ def parse_size(text: str, plain: str = "m") -> tuple[float, float | None]:
     A number without a unit has that of the other one, or the plain unit. InputError where it makes no sense.
     """
     words = re.split(r"\s*[x×]\s*", text.strip())
-    if not 1 <= len(words) <= 2:
+    if not (1 <= len(words) <= 2 and all(words)):
         raise InputError(f"'{text}' is no size: write 500mm for a width, 500mmx700mm for width and height.")
     unit = re.sub(r"[\d.\s]", "", words[-1]) or plain
     sizes = [parse_length(word if re.search(r"[^\d.]", word) else word + unit) for word in words]

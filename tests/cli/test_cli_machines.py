@@ -95,6 +95,45 @@ def test_gcode_that_cannot_be_is_told_in_a_line(
     assert not (square.parent / "out").exists()
 
 
+def test_tabs_are_left_in_what_a_machine_cuts(square: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The square of 212 mm has nine tabs; what cannot have any is a line before the work."""
+    for words, told in (
+        (("--tabs", "0.4mm"), "give --machine too"),
+        (("--machine", "paper", "--tabs", "0.4mm"), "one that does"),
+        (("--machine", "heat-sealer", "--tabs", "0.4mm"), "one that does"),
+        (("--machine", "inkscape", "--tabs-below", "5cm"), "their width too"),
+        (("--machine", "inkscape", "--tabs", "5cm"), "0.05 mm to 10 mm"),
+    ):
+        assert run(square, *words) == 2
+        assert told in capsys.readouterr().err
+    machines = ("--machine", "inkscape", "--machine", "paper")
+    assert run(square, "--intake", "none", *machines, "--tabs", "0.4mm") == 0
+    cut = (square.parent / "out" / "pattern-inkscape.svg").read_text()
+    assert "CUT" in cut.partition('id="CUT"')[1]
+    assert cut.partition('id="CUT"')[2].count("<path") == 9
+    assert "two tabs" not in capsys.readouterr().out
+
+
+def test_what_is_left_of_a_sheet_is_laid_out_on(square: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Two panels of 212 mm leave most of a sheet; the next balloon lies in what is left of it."""
+    out, bare = square.parent / "out", ("--intake", "none", "--only", "report")
+    assert run(square, *bare, "--nest", "500mmx900mm", "--keep-remnant") == 0
+    told = capsys.readouterr().out
+    assert "Film: remnants 1, " in told
+    left = square.parent / "left.json"
+    (out / "remnant.json").rename(left)
+    assert run(square, *bare, "--on-remnant", str(left), "--grain-lies", "any", "--machine", "inkscape") == 0
+    assert "Film 1: pieces 2, on a remnant of " in capsys.readouterr().out
+    assert (out / "nested-pattern-inkscape.svg").exists()
+    for words, sentence in (
+        (("--keep-remnant",), "give --nest too"),
+        (("--on-remnant", "none.json"), "The remnant none.json is of no use"),
+        (("--on-remnant", str(left), "--balloons", "9"), "no room on the remnant"),
+    ):
+        assert run(square, *bare, *words) == 2
+        assert sentence in capsys.readouterr().err
+
+
 def test_unknown_machine_is_told_before_the_work(square: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert run(square, "--machine", "axe") == 2
     assert "lightburn" in capsys.readouterr().err

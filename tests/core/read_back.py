@@ -65,6 +65,18 @@ def line(points: np.ndarray, closed: bool) -> shapely.Geometry:
     return (shapely.LinearRing if closed else shapely.LineString)(points)
 
 
+def begun_at(points: np.ndarray, closed: bool, start: np.ndarray) -> np.ndarray:
+    """The points of a line as a file has them that begins a closed one elsewhere, maybe amid an edge."""
+    if not closed:
+        return points
+    away = np.hypot(*(points - start).T)
+    if away.min() < 0.01:
+        return np.roll(points, -int(np.argmin(away)), axis=0)
+    edges = [shapely.LineString(edge) for edge in zip(points, np.roll(points, -1, axis=0))]
+    after = int(np.argmin([edge.distance(shapely.Point(start)) for edge in edges])) + 1
+    return np.concatenate([[start], np.roll(points, -after, axis=0)])
+
+
 def once_round(points: np.ndarray, overcut: float) -> shapely.Geometry:
     """The ring of a cut that goes on past its start by a length [mm], which is looked at."""
     way = shapely.LineString(points)

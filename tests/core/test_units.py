@@ -80,6 +80,12 @@ def test_nonsense_lengths_are_refused_with_an_example(text):
         units.parse_length(text)
 
 
+@pytest.mark.parametrize("text", ["", "x", "500mm x", "x 500mm", "1x2x3"])
+def test_nonsense_sizes_are_refused_with_an_example(text):
+    with pytest.raises(InputError, match="500mmx700mm"):
+        units.parse_size(text)
+
+
 @pytest.mark.parametrize("text", ["", "kPa", "2 mm", "2 mPa", "2 MPa", "nan", "-"])
 def test_nonsense_pressures_are_refused_with_an_example(text):
     with pytest.raises(InputError, match="2kPa"):

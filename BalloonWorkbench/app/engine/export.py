@@ -31,17 +31,15 @@ def export_pattern(pattern_obj, target) -> Path:
     return export_for(pattern_obj, ANY[kind], path)
 
 
-def check_for(pattern_obj, machine_name: str, bed: str | None = None, oversize: str = "refuse"):
+def check_for(pattern_obj, machine_name: str, bed=None, oversize: str = "refuse", tabs=None, tabs_below=None):
     """What a machine may find wrong with a pattern: `preflight`'s findings, errors first.
 
-    bed and oversize as for `export_for`. Raises what `sheet` and `machine` raise.
+    bed, oversize, tabs and tabs_below as for `export_for`. Raises what `sheet` and `machine` raise.
     """
     from BalloonWorkbench.app.border import hooks
-    from BalloonWorkbench.core.machines.machine import machine
     from BalloonWorkbench.core.machines.preflight import ERROR, preflight
 
-    made_for, pattern = machine(machine_name, bed), sheet(pattern_obj)
-
+    made_for, pattern = _machine(machine_name, bed, tabs, tabs_below), sheet(pattern_obj)
     parts = [pattern.of_stock(stock) for stock in pattern.stocks]
 
     def findings(_progress) -> list:
@@ -50,6 +48,17 @@ def check_for(pattern_obj, machine_name: str, bed: str | None = None, oversize: 
     both = (*_film_findings(pattern_obj, made_for), *hooks.run_blocking("Checking the pattern", findings))
     each_once = {finding.text: finding for finding in both}.values()
     return tuple(sorted(each_once, key=lambda finding: finding.severity != ERROR))
+
+
+def _machine(name: str, bed: str | None, tabs: str | None, tabs_below: str | None):
+    """The machine of a name with another bed, and with tabs: lengths as text, such as "0.4 mm"."""
+    from BalloonWorkbench.core.machines.contour.tabs import with_tabs
+    from BalloonWorkbench.core.machines.machine import machine
+    from BalloonWorkbench.core.options.making import TabOptions
+    from BalloonWorkbench.core.units import parse_length
+
+    width, below = (None if text is None else parse_length(text) for text in (tabs, tabs_below))
+    return with_tabs(machine(name, bed), TabOptions(width or 0.0, below or None))
 
 
 def _film_findings(pattern_obj, made_for) -> tuple:
@@ -79,6 +88,8 @@ def export_for(
     paper: str | None = None,
     bed: str | None = None,
     oversize: str = "refuse",
+    tabs: str | None = None,
+    tabs_below: str | None = None,
 ) -> Path:
     """Write the file that a machine reads, to a file or under its usual name into a folder; returns the file.
 
@@ -86,12 +97,12 @@ def export_for(
     paper divides a PDF into pages of "A4", "A3" or "Letter"; bed is another one than in the machine's file,
     such as "600 x 400 mm", "600 mm" for a roll, or "none". A pattern that is larger is refused; with oversize
     "write" it is written all the same, with "scale" the balloon is made smaller first, see `scale_to_bed`.
+    tabs of a width such as "0.4 mm" hold pieces in the film, only those below a size with tabs_below "50 mm".
     Raises ExportError, and writes nothing, when the machine cannot make the pattern.
     """
     from BalloonWorkbench.app.border import hooks
     from BalloonWorkbench.core.files.write import write_files
     from BalloonWorkbench.core.machines.bed import OVERSIZE, SCALE
-    from BalloonWorkbench.core.machines.machine import machine
     from BalloonWorkbench.core.machines.machine_file import file_of_stock, machine_file
     from BalloonWorkbench.core.machines.preflight import ERROR, preflight
 
@@ -101,7 +112,7 @@ def export_for(
         )
     if oversize == SCALE:
         scale_to_bed(pattern_obj, machine_name, bed)
-    made_for, pattern = machine(machine_name, bed), sheet(pattern_obj)
+    made_for, pattern = _machine(machine_name, bed, tabs, tabs_below), sheet(pattern_obj)
     doubts = _film_findings(pattern_obj, made_for)
     path = Path(target)
     if path.is_dir():
@@ -122,7 +133,9 @@ def export_for(
     return path
 
 
-def tool_paths(pattern_obj, machine_name: str, bed: str | None = None, oversize: str = "refuse") -> list:
+def tool_paths(
+    pattern_obj, machine_name: str, bed=None, oversize: str = "refuse", tabs=None, tabs_below=None
+) -> list:
     """New objects of FreeCAD's workbench Path (CAM since 1.0) with the moves that `export_for` writes for a
     machine that reads G-code, one for each film.
 
@@ -130,13 +143,12 @@ def tool_paths(pattern_obj, machine_name: str, bed: str | None = None, oversize:
     workbench.
     """
     from BalloonWorkbench.app.border import hooks
-    from BalloonWorkbench.core.machines.machine import machine
     from BalloonWorkbench.core.machines.preflight import ERROR
     from BalloonWorkbench.core.machines.toolpaths import draw
     from BalloonWorkbench.core.machines.writers.moves import moves
 
-    made_for, pattern = machine(machine_name, bed), sheet(pattern_obj)
-    for finding in check_for(pattern_obj, machine_name, bed, oversize):
+    made_for, pattern = _machine(machine_name, bed, tabs, tabs_below), sheet(pattern_obj)
+    for finding in check_for(pattern_obj, machine_name, bed, oversize, tabs, tabs_below):
         if finding.severity == ERROR:
             raise ExportError(finding.text)
 

@@ -15,6 +15,7 @@ from BalloonWorkbench.app.properties.property_table import Property, shown_value
 
 PATH = "User parameter:BaseApp/Preferences/Mod/BalloonWorkbench"
 _BEDS = f"{PATH}/Beds"  # by the name of the machine, as text
+_TABS, _TABS_BELOW = f"{PATH}/Tabs", f"{PATH}/TabsBelow"  # the same, as lengths in mm
 _RECENT, _CARD = "RecentExportFolder", "RecentTestCard"
 _MACHINE = "FilmBalloonMachine"  # of a document
 _GENERAL, _OPENED = "User parameter:BaseApp/Preferences/General", "FileOpenSavePath"  # FreeCAD's own
@@ -122,6 +123,18 @@ def put_machine(doc, name: str) -> None:
     """Remember the machine for which a document was exported; the document keeps it."""
     if dict(doc.Meta).get(_MACHINE) != name:
         doc.Meta = {**doc.Meta, _MACHINE: name}
+
+
+def tabs(name: str) -> tuple[float, float]:
+    """The tabs that the user has given a machine, and below which size of pieces [mm]; 0 is none, and all."""
+    width, below = (App.ParamGet(group).GetFloat(name, 0.0) for group in (_TABS, _TABS_BELOW))
+    return width, below
+
+
+def put_tabs(name: str, width: float, below: float) -> None:
+    """Keep the tabs of a machine [mm]."""
+    for group, value in ((_TABS, width), (_TABS_BELOW, below)):
+        App.ParamGet(group).SetFloat(name, value)
 
 
 def export_folder(doc) -> Path:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Callable, Iterable
 from contextlib import contextmanager
 from typing import Any, NamedTuple
@@ -157,6 +158,17 @@ def add_missing(obj, properties: tuple[Property, ...]) -> None:
         )
         if item.value is not None:
             setattr(obj, item.name, item.value)
+
+
+def put_file(obj, item: Property, path: str) -> None:
+    """Give a property of a file its file, of which a copy travels in the document; an empty path takes it
+    away, which FreeCAD itself does not do. OSError where there is none."""
+    if path:
+        setattr(obj, item.name, (path, os.path.basename(path)))
+    elif getattr(obj, item.name):
+        obj.removeProperty(item.name)
+        add_missing(obj, (item,))
+        obj.touch()
 
 
 def is_complete(obj, properties: tuple[Property, ...]) -> bool:

@@ -10,7 +10,7 @@ from typing import Any
 from BalloonWorkbench.app import bag, balloon, gored_body, outline, pattern, target
 from BalloonWorkbench.app.document.kinds import is_bag, is_gored_body, is_target
 from BalloonWorkbench.app.properties import quantities
-from BalloonWorkbench.app.properties.property_table import Property
+from BalloonWorkbench.app.properties.property_table import Property, put_file
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.options.option import snake
 
@@ -100,7 +100,7 @@ def _set(obj, name: str, item: Property, value) -> None:
     read = _READ.get(item.type) if isinstance(value, str) else None
     try:
         if item.type == "FileIncluded":
-            setattr(obj, item.name, (os.fspath(value), os.path.basename(value)) if value else "")
+            put_file(obj, item, os.fspath(value) if value else "")
         else:
             setattr(obj, item.name, read(value) if read else value)
     except (ValueError, TypeError, OSError, RuntimeError) as error:

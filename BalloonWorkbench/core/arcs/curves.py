@@ -169,6 +169,19 @@ class Curve:
         bulges = np.concatenate([self.bulges[:segment], halves, self.bulges[segment + 1 :]])
         return Curve(np.insert(self.joints, segment + 1, at, axis=0), bulges, self.closed)
 
+    def jointed(self, place: float, near: float) -> tuple[Curve, int]:
+        """The curve with a joint at a place along it [m], and the joint's number; it may be as near."""
+        along = np.append(0.0, np.cumsum(self.lengths))
+        segment = int(np.clip(np.searchsorted(along, place, side="right") - 1, 0, len(self) - 1))
+        before, after = float(place - along[segment]), float(along[segment + 1] - place)
+        if min(before, after) <= near:
+            return self, (segment + int(after < before)) % len(self.joints)
+        return self.split(segment, before / (before + after)), segment + 1
+
+    def stretch(self, first: int, last: int) -> Curve:
+        """The open curve from one of its joints to a later one."""
+        return Curve(self.joints[first : last + 1], self.bulges[first:last], False)
+
 
 def polyline(points: Floats, closed: bool) -> Curve:
     """The curve of lines through points (n, 2) m."""

@@ -63,7 +63,7 @@ class LaserSettings:
 def laser_settings(line: Mapping[str, Any], name: str) -> LaserSettings | None:
     """Those of a layer in a machine's file, None where it has none. InputError for such as no laser has."""
     values = {
-        key: _value(line[key], f"{key} of {name}", *LASER_KEYS[key]) for key in LASER_KEYS if key in line
+        key: number_in(line[key], f"{key} of {name}", *LASER_KEYS[key]) for key in LASER_KEYS if key in line
     }
     if not values:
         return None
@@ -84,7 +84,8 @@ def laser_settings(line: Mapping[str, Any], name: str) -> LaserSettings | None:
     )
 
 
-def _value(value: object, what: str, low: float, high: float) -> float:
+def number_in(value: object, what: str, low: float, high: float) -> float:
+    """A number of a machine's file; InputError for what is none, and for one outside its range."""
     number = float(value) if isinstance(value, (int, float)) and not isinstance(value, bool) else float("nan")
     if not low <= number <= high:
         raise InputError(

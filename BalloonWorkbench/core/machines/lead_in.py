@@ -9,6 +9,7 @@ import numpy as np
 
 from BalloonWorkbench.core.arcs.curves import Curve
 from BalloonWorkbench.core.geometry.vectors import direction
+from BalloonWorkbench.core.machines.contour.start_point import CLEAR, NEAR, turning
 from BalloonWorkbench.core.machines.tool import WELDS
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
@@ -23,28 +24,31 @@ _NEAR = 0.05
 _SIDES = (-0.25 * np.pi, 0.25 * np.pi)
 _AHEAD = (0.0,)
 _PLACES = 32
+#: Where it turns by more within a start's clear way there is a corner [rad].
+_BENT = 0.5
 
 
 class Waste:
     """The film between the pieces of a pattern, in millimetres, and the lines that no way there may cross."""
 
-    def __init__(self, pattern: Pattern, longest: float, room: float) -> None:
-        """longest way to a weld, and how far past the pattern's box a tool may come [mm]."""
+    def __init__(self, pattern: Pattern, longest: float, box: tuple[Floats, Floats]) -> None:
+        """longest way to a weld, and the corners (2,) of where a tool may land [mm]."""
         package = shapely()
         cuts, holes = (_areas(pattern, role) for role in (Role.CUT, Role.CUT_INNER))
         self._film = package.union_all(cuts).difference(package.union_all(holes))
         kept = [each.line for each in pattern.contours if each.role in (*WELDS, Role.NOTCH)]
         self._lines = package.union_all([package.LineString(to_mm(line)) for line in kept if len(line) > 1])
-        low, high = (to_mm(corner) for corner in pattern.bounds)
-        self._box = package.box(*(low - room), *(high + room))
+        self._box = package.box(*box[0], *box[1])
         self._longest = longest
 
     def begun(self, curve: Curve) -> tuple[Curve, Floats | None]:
         """A closed weld [mm], begun as near to its start as there is a way from waste film, and where that
-        way begins (2,); as it is, and None, where there is none."""
-        tried = np.linspace(0, len(curve), min(_PLACES, len(curve)), endpoint=False).astype(int)
-        for joint in tried.tolist():
-            begun = curve.begun_at(joint)
+        way begins (2,); as it is, and None, where there is none. Corners are no such places."""
+        places = np.arange(_PLACES) * curve.length / _PLACES
+        (bent,) = turning(curve, np.empty((0, 2)), places, (CLEAR,))
+        for place in places[bent < _BENT].tolist():
+            begun, joint = curve.jointed(place, NEAR)
+            begun = begun.begun_at(joint)
             way = self._way(begun, _SIDES)
             if way is not None:
                 return begun, way

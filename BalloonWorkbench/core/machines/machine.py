@@ -23,6 +23,7 @@ from BalloonWorkbench.core.machines.layers import (
     LaserSettings,
     check_laser,
     laser_settings,
+    number_in,
 )
 from BalloonWorkbench.core.machines.tool import (
     CONTROLLERS,
@@ -32,7 +33,7 @@ from BalloonWorkbench.core.machines.tool import (
     lacking,
     read_tool,
 )
-from BalloonWorkbench.core.options.making import ToolOptions
+from BalloonWorkbench.core.options.making import NO_TABS, TabOptions, ToolOptions
 from BalloonWorkbench.core.pattern.pattern import Role
 from BalloonWorkbench.core.units import INCH, MILLIMETRE, from_mm, number_text, parse_size, to_mm
 
@@ -103,6 +104,7 @@ class Machine:
     tool       what a machine that reads G-code holds; None for all others
     file       name of its file without the ending, where it is not made from the machine's
     remarks    on the machine's file, a sentence each
+    tabs       what it leaves of each cut
     """
 
     name: str
@@ -126,6 +128,7 @@ class Machine:
     process: str = ""
     tool: MachineTool | None = None
     remarks: tuple[str, ...] = ()
+    tabs: TabOptions = NO_TABS
 
     @property
     def file_name(self) -> str:
@@ -387,10 +390,4 @@ def _bed(value: object) -> tuple[float, float] | None:
 
 
 def _length(value: object, what: str) -> float:
-    low, high = LIMITS.get(what, (_LEAST_BED, _MOST))
-    number = float(value) if isinstance(value, (int, float)) else float("nan")
-    if not low <= number <= high:
-        raise InputError(
-            f"{what} is {value!r}: give a number from {number_text(low)} to {number_text(high)}."
-        )
-    return from_mm(number)
+    return from_mm(number_in(value, what, *LIMITS.get(what, (_LEAST_BED, _MOST))))

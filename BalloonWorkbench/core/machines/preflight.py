@@ -20,7 +20,7 @@ from BalloonWorkbench.core.machines.bed import fits_turned, fits_upright, pieces
 from BalloonWorkbench.core.machines.machine import Machine
 from BalloonWorkbench.core.machines.order import CUTS
 from BalloonWorkbench.core.machines.tool import WELDS, lacking
-from BalloonWorkbench.core.machines.toolpaths import fitted
+from BalloonWorkbench.core.machines.toolpaths import fitted, not_held
 from BalloonWorkbench.core.options.making import REFUSE, WRITE
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
@@ -75,6 +75,7 @@ def preflight(pattern: Pattern, machine: Machine, oversize: str = REFUSE) -> tup
         cuts = [contour for contour in taken if contour.role in CUTS]
         findings += _radius(cuts or [contour for contour in taken if contour.role in WELDS], machine)
         findings += _gap(taken, machine)
+        findings += _tabs(pattern, machine)
     findings += _size(pattern, machine, oversize)
     findings += [*_laser({contour.role for contour in taken}, machine), *_tool(machine)]
     findings += [PreflightFinding(WARNING, remark) for remark in machine.remarks]
@@ -242,6 +243,22 @@ def _samples(contours: list[Contour]) -> tuple[Floats, Floats, Floats, Floats]:
         which.append(np.full(len(places), float(k)))
         lengths.append(np.full(len(places), ends[-1]))
     return np.concatenate(points), np.concatenate(along), np.concatenate(which), np.concatenate(lengths)
+
+
+def _tabs(pattern: Pattern, machine: Machine) -> list[PreflightFinding]:
+    """What no tabs hold."""
+    free = not_held(pattern, machine)
+    if not free:
+        return []
+    place = free[0].points[0]
+    return [
+        PreflightFinding(
+            WARNING,
+            f"Cuts without room for two tabs of {length_text(machine.tabs.tabs)} on a straight: {len(free)},"
+            f" the first near {place_text(place)}. What they go round comes free.",
+            place,
+        )
+    ]
 
 
 def _size(pattern: Pattern, machine: Machine, oversize: str) -> list[PreflightFinding]:

@@ -13,11 +13,12 @@ from BalloonWorkbench.core.arcs.fit_arcs import fit_curve
 from BalloonWorkbench.core.errors import ExportError
 from BalloonWorkbench.core.geometry.nearest import nearest_on_line
 from BalloonWorkbench.core.geometry.polyline import ring
-from BalloonWorkbench.core.machines.compensate import overrun, prolonged, trailing_knife, without_kerf
+from BalloonWorkbench.core.machines.contour.compensate import overrun, prolonged, trailing_knife, without_kerf
+from BalloonWorkbench.core.machines.contour.start_point import begun_on_straight
+from BalloonWorkbench.core.machines.contour.tabs import LEAST, gap_of, held, is_held, tab_places
 from BalloonWorkbench.core.machines.lead_in import Waste
 from BalloonWorkbench.core.machines.machine import Machine
 from BalloonWorkbench.core.machines.order import CUTS, RANKS, in_order
-from BalloonWorkbench.core.machines.start_point import begun_on_straight
 from BalloonWorkbench.core.machines.tool import WELDS
 from BalloonWorkbench.core.machines.travel import travel
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
@@ -29,8 +30,10 @@ BAR = 100.0
 _TICK = 4.0
 _BESIDE = 8.0
 BAR_ROOM = _BESIDE + 0.5 * _TICK
-#: Room round the pattern for lead-ins and for the axis of a knife, where the file itself moves the tool [mm].
-_ROOM = 5.0
+#: Room round the pattern for lead-ins and for the axis of a knife, where the file itself moves the tool [m].
+_ROOM = from_mm(5.0)
+#: The same to the edge of film, where pieces lie nearer to it [m].
+_LEAST_ROOM = from_mm(1.0)
 #: Lines of one role that are so close all along are one line [mm].
 _SAME = 0.01
 
@@ -48,8 +51,9 @@ class Path:
 class Toolpaths:
     """Paths in the order of the work; lower left corner at the origin, and the size of it all [mm].
 
-    Of a machine that reads G-code it is the corner of the pattern with some room, whatever tool it holds:
-    what is welded and what is cut afterwards lie on each other.
+    Of a machine that reads G-code it is the corner of the film that panels are laid out on, else of the
+    pattern with some room, whatever tool it holds: what is welded and what is cut afterwards lie on each
+    other.
     """
 
     paths: tuple[Path, ...]
@@ -96,7 +100,7 @@ def draw(pattern: Pattern, machine: Machine) -> Toolpaths:
         low = np.min([path.curve.bounds[0] for path in paths], axis=0)
         high = np.max([path.curve.bounds[1] for path in paths], axis=0)
     else:
-        low, high = (to_mm(at) + side * room(machine) for at, side in zip(pattern.bounds, (-1.0, 1.0)))
+        low, high = (to_mm(corner) for corner in reach(pattern, machine))
     width, height = (high - low).tolist()
     return Toolpaths(tuple(replace(path, curve=path.curve.moved(-low)) for path in paths), width, height)
 
@@ -104,15 +108,12 @@ def draw(pattern: Pattern, machine: Machine) -> Toolpaths:
 def _in_order(pattern: Pattern, machine: Machine) -> list[Path]:
     """What a machine does of a pattern, in the order of the work, still where it is."""
     contours, waste = pattern.contours, _waste(pattern, machine)
-    ends = [contour.points[[0, -1]] for contour in contours if not contour.closed]
-    ends_mm = to_mm(np.concatenate(ends)) if ends else np.empty((0, 2))
+    ends = ends_on(pattern)
     curves: list[list[Curve]] = [[] for _ in contours]
     used = [number for number, contour in enumerate(contours) if contour.role in machine.layers]
-    each = [
-        (number, curve) for number in used for curve in _curves(contours[number], machine, ends_mm, waste)
-    ]
+    each = [(number, curve) for number in used for curve in _in_mm(contours[number], machine)]
     for number, curve in _once(each, contours):
-        curves[number].append(curve)
+        curves[number] += _worked(curve, contours[number], machine, ends, waste)
     # what lies on another line is nothing of its own; what is not for this machine has something in it
     kept = [number for number in range(len(contours)) if curves[number] or number not in used]
     ways = np.array(
@@ -129,9 +130,17 @@ def _in_order(pattern: Pattern, machine: Machine) -> list[Path]:
     ]
 
 
-def room(machine: Machine) -> float:
-    """How far past the pattern a machine's tool may come where the file itself moves it [mm]."""
-    return 0.0 if machine.tool is None else max(_ROOM, to_mm(machine.knife_offset + 0.5 * machine.kerf))
+def reach(pattern: Pattern, machine: Machine) -> tuple[Floats, Floats]:
+    """Lower left and upper right corner (2,) of what a machine's tool may come to [m]: some room past the
+    pattern where the file itself moves it, but no farther than the film that panels are laid out on."""
+    low, high = pattern.bounds
+    if machine.tool is None:
+        return low, high
+    least = max(_LEAST_ROOM, 2.0 * machine.knife_offset + machine.kerf)  # a corner takes more than half of it
+    room = max(_ROOM, least)
+    if pattern.film is None:
+        return low - room, high + room
+    return np.minimum(low - least, 0.0), np.maximum(high + least, np.minimum(high + room, pattern.film))
 
 
 def _waste(pattern: Pattern, machine: Machine) -> Waste | None:
@@ -143,7 +152,9 @@ def _waste(pattern: Pattern, machine: Machine) -> Waste | None:
         or not pattern.of(Role.CUT)
     ):
         return None
-    return Waste(pattern, to_mm(machine.tool.lead_in), room(machine) - to_mm(machine.knife_offset))
+    low, high = (to_mm(corner) for corner in reach(pattern, machine))
+    inward = to_mm(machine.knife_offset)
+    return Waste(pattern, to_mm(machine.tool.lead_in), (low + inward, high - inward))
 
 
 def fitted(contour: Contour, machine: Machine) -> Iterator[Curve]:
@@ -153,27 +164,51 @@ def fitted(contour: Contour, machine: Machine) -> Iterator[Curve]:
         yield fit_curve(points, contour.closed, machine.tolerance) if machine.arcs else straight
 
 
-def _curves(contour: Contour, machine: Machine, ends: Floats, waste: Waste | None) -> Iterator[Curve]:
-    """The curves [mm] of a contour as a machine goes along them; ends (n, 2) mm of the open lines."""
-    for followed in fitted(contour, machine):
-        curve = followed.moved(np.zeros(2), 1.0 / MILLIMETRE)
-        if contour.role.is_cut:
-            if curve.closed and (machine.overcut or machine.knife_offset):
-                curve = overrun(begun_on_straight(curve, ends), to_mm(machine.overcut))
-            curve = trailing_knife(curve, to_mm(machine.knife_offset))
-        elif contour.role in WELDS:
-            curve = _weld(curve, machine, ends, waste)
+def _in_mm(contour: Contour, machine: Machine) -> Iterator[Curve]:
+    for curve in fitted(contour, machine):
+        yield curve.moved(np.zeros(2), 1.0 / MILLIMETRE)
+
+
+def ends_on(pattern: Pattern) -> Floats:
+    """Where (n, 2) the open lines of a pattern end [mm]: notches, welds at a neck."""
+    ends = [contour.points[[0, -1]] for contour in pattern.contours if not contour.closed]
+    return to_mm(np.concatenate(ends)) if ends else np.empty((0, 2))
+
+
+def not_held(pattern: Pattern, machine: Machine) -> list[Contour]:
+    """The cuts that should have tabs, and have no room for two."""
+    ends, gap = ends_on(pattern), gap_of(machine)
+    return [
+        contour
+        for contour in pattern.contours
+        if contour.role in machine.layers and is_held(contour, machine)
+        if any(len(tab_places(curve, gap, ends)) < LEAST for curve in _in_mm(contour, machine))
+    ]
+
+
+def _worked(
+    curve: Curve, contour: Contour, machine: Machine, ends: Floats, waste: Waste | None
+) -> Iterator[Curve]:
+    """A curve [mm] as a machine goes along it, in pieces between tabs; ends (n, 2) mm of the open lines."""
+    if curve.closed:
+        curve = begun_on_straight(curve, ends)
+    if contour.role in WELDS:
+        yield _weld(curve, machine, waste)
+    elif contour.role.is_cut:
+        for piece in held(curve, gap_of(machine), ends) if is_held(contour, machine) else [curve]:
+            whole = overrun(piece, to_mm(machine.overcut)) if piece.closed else piece
+            yield trailing_knife(whole, to_mm(machine.knife_offset))
+    else:
         yield curve
 
 
-def _weld(curve: Curve, machine: Machine, ends: Floats, waste: Waste | None) -> Curve:
+def _weld(curve: Curve, machine: Machine, waste: Waste | None) -> Curve:
     """A weld [mm] with what it runs past its start and with the ways of a hot tool between it and waste film;
     a wheel that swivels goes ahead of it."""
     if machine.tool is None:
         return overrun(curve, to_mm(machine.overrun)) if curve.closed else curve
     before = after = None
     if curve.closed:
-        curve = begun_on_straight(curve, ends)
         if waste is not None:
             curve, before = waste.begun(curve)
         curve = overrun(curve, to_mm(machine.overrun))

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.nesting.remnant import Remnant, usable
 from BalloonWorkbench.core.options.making import SheetOptions
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
@@ -42,12 +43,21 @@ class Stock:
     length   of a sheet [m]; None for a roll
     spacing  between pieces, and to the edges [m]
     grain    how pieces lie whose film has one
+    remnant  the shape of the film where it is no rectangle; width and length are those of its box
     """
 
     width: float
     length: float | None = None
     spacing: float = SPACING
     grain: GrainRule = GrainRule.ALONG
+    remnant: Remnant | None = None
+
+    @property
+    def film(self) -> Any:
+        """The film as a polygon of shapely [m]; of a roll there is none."""
+        if self.remnant is not None:
+            return self.remnant.area
+        return shapely().box(0.0, 0.0, np.inf if self.length is None else self.length, self.width)
 
     @property
     def room(self) -> float:
@@ -107,7 +117,7 @@ class Layout:
 
     def pattern(self, pieces: Sequence[Piece]) -> Pattern:
         """All pieces as one pattern, lower left corner of the film at the origin; it has no intake of its
-        own."""
+        own, and knows the film."""
         laid = [
             turned(pieces[place.piece].panel(place.mirrored), place.angle, place.shift)
             for place in self.places
@@ -119,6 +129,7 @@ class Layout:
             more_intakes=(),
             seam_length=sum(pattern.seam_length for pattern in laid),
             warnings=tuple(dict.fromkeys(warning for pattern in laid for warning in pattern.warnings)),
+            film=(self.length, self.stock.width),
         )
 
 
@@ -128,7 +139,23 @@ def layout_of(stock: Stock, pieces: Sequence[Piece], places: Sequence[Place]) ->
     ends = [_laid(pieces, place).bounds[1][0] for place in ordered]
     length = max(ends) + stock.spacing if stock.length is None else stock.length
     area = sum(pieces[place.piece].pattern.film_area for place in ordered)
-    return Layout(stock, tuple(ordered), float(length), float(area / (stock.width * length)))
+    film = stock.width * length if stock.remnant is None else stock.remnant.area.area
+    return Layout(stock, tuple(ordered), float(length), float(area / film))
+
+
+def of_remnant(remnant: Remnant, like: Stock) -> Stock:
+    """A remnant as film, with spacing and grain of another."""
+    length, width = remnant.size
+    return Stock(width, length, like.spacing, like.grain, remnant)
+
+
+def left_of(layout: Layout, pieces: Sequence[Piece]) -> list[Remnant]:
+    """What is left of the film of a layout and can be used again: of a roll, of the stretch that is used."""
+    package = shapely()
+    film = replace(layout.stock, length=layout.length).film
+    taken = package.union_all([outline_of(_laid(pieces, place)) for place in layout.places])
+    (stock,) = {pieces[place.piece].pattern.stocks[0] for place in layout.places}
+    return usable(film.difference(taken), stock)
 
 
 def _laid(pieces: Sequence[Piece], place: Place) -> Pattern:
@@ -145,11 +172,15 @@ def outline_of(pattern: Pattern) -> Any:
     return package.Polygon(area.exterior)
 
 
-def check(pieces: Sequence[Piece], stock: Stock) -> None:
-    """Raise InputError for what cannot be laid out."""
+def check_count(pieces: Sequence[Piece]) -> None:
+    """Raise InputError for too many pieces, or none."""
     count = sum(piece.count + piece.backs for piece in pieces)
     if not 0 < count <= _MOST_COPIES or any(min(piece.count, piece.backs) < 0 for piece in pieces):
         raise InputError(f"1 to {_MOST_COPIES} pieces can be laid out, not {count}.")
+
+
+def check(pieces: Sequence[Piece], stock: Stock) -> None:
+    """Raise InputError for film that makes no sense, and for pieces that do not fit on it."""
     numbers = (stock.width, stock.spacing, *(() if stock.length is None else (stock.length,)))
     if not (np.isfinite(numbers).all() and stock.spacing >= 0.0 and stock.room > 0.0):
         raise InputError("The film needs a width of more than two spacings, and no spacing below 0.")

@@ -20,6 +20,7 @@ from typing import Any
 import numpy as np
 
 from BalloonWorkbench.core.errors import Cancelled, InputError, SolverError
+from BalloonWorkbench.core.nesting.fill import in_shape
 from BalloonWorkbench.core.nesting.holes import into_holes, with_guests
 from BalloonWorkbench.core.nesting.layout import (
     Layout,
@@ -28,10 +29,14 @@ from BalloonWorkbench.core.nesting.layout import (
     Stock,
     Unit,
     check,
+    check_count,
     layout_of,
+    of_remnant,
     outline_of,
 )
+from BalloonWorkbench.core.nesting.remnant import Remnant
 from BalloonWorkbench.core.nesting.rows import in_rows
+from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.types import Progress, no_progress
 from BalloonWorkbench.core.units import from_mm, length_text, to_mm
 
@@ -46,26 +51,58 @@ _LIMIT = 120  # s, an end to the search should it never come to one
 _USUAL = 20.0  # s
 #: A strip that the pieces would fill to less than that is laid in rows [m].
 _LEAST_DEPTH = from_mm(5.0)
+#: So much longer may film be that is filled in another way, at first.
+_LONGER = 1.1
 _LOOK = 0.05  # s
 #: A signal that nobody else uses; none is ever sent from outside.
 _SIGNAL = getattr(signal, "SIGUSR1", None) or signal.SIGTERM
 
 
 def nest(
-    pieces: Sequence[Piece], stock: Stock, progress: Progress = no_progress
+    pieces: Sequence[Piece],
+    stock: Stock,
+    progress: Progress = no_progress,
+    remnants: Sequence[Remnant] = (),
+    only_remnants: bool = False,
 ) -> tuple[tuple[Layout, ...], tuple[str, ...]]:
-    """Layouts of all pieces, one for each sheet or one for a roll, and remarks for the user.
+    """Layouts of all pieces: one for each remnant that is used, one for each sheet or one for a roll; and
+    remarks for the user.
 
-    What fits into the hole of another piece lies there.
+    What fits into the hole of another piece lies there. The stock is for what finds no room on remnants.
 
     When progress says stop, the best layout so far is taken. Raises InputError for what cannot be laid out,
-    Cancelled when it is stopped before there is any layout.
+    and where only remnants are to be used and have no room; Cancelled when it is stopped before there is any
+    layout.
     """
-    check(pieces, stock)
-    units, guests = into_holes(pieces, stock, _units(pieces))
+    check_count(pieces)
+    units, on_remnants = _units(pieces), list[Layout]()
+    for remnant in remnants:
+        film = of_remnant(remnant, stock)
+        places, units = in_shape(pieces, film, units, progress)
+        on_remnants += [layout_of(film, pieces, places)] if places else []
+    if units and only_remnants:
+        raise InputError(
+            f"For {len(units)} of {len(_units(pieces))} pieces there is no room on the remnant: give film for"
+            " the rest too."
+        )
+    if on_remnants and not units:
+        return tuple(on_remnants), ()
+    check([pieces[number] for number in sorted({number for number, _ in units})], stock)
+    layouts, remarks = _on_film(pieces, stock, units, progress)
+    return (*on_remnants, *layouts), remarks
+
+
+def _on_film(
+    pieces: Sequence[Piece], stock: Stock, units: Sequence[Unit], progress: Progress
+) -> tuple[tuple[Layout, ...], tuple[str, ...]]:
+    """The same of some pieces on a roll or on sheets."""
+    units, guests = into_holes(pieces, stock, units)
     if importlib.util.find_spec(PACKAGE) is None:
-        rows = in_rows(pieces, stock, units)
-        return tuple(layout_of(stock, pieces, with_guests(places, guests)) for places in rows), (ROWS_NOTE,)
+        rows = [layout_of(stock, pieces, places) for places in in_rows(pieces, stock, units)]
+        laid = rows if stock.length is not None else [_closer(pieces, rows[0], units, progress)]
+        return tuple(layout_of(stock, pieces, with_guests(layout.places, guests)) for layout in laid), (
+            ROWS_NOTE,
+        )
     if stock.length is None:
         places, length = _strip(pieces, stock, units, None, progress)
         (row,) = in_rows(pieces, stock, units)
@@ -74,6 +111,15 @@ def nest(
         return (layout_of(stock, pieces, with_guests(places, guests)),), ()
     layouts = _sheets(pieces, stock, units, progress)
     return tuple(layout_of(stock, pieces, with_guests(layout.places, guests)) for layout in layouts), ()
+
+
+def _closer(pieces: Sequence[Piece], row: Layout, units: Sequence[Unit], progress: Progress) -> Layout:
+    """Pieces on a roll as they fill a shape of about that length, where that takes less film than rows."""
+    stock = row.stock
+    strip = Remnant(shapely().box(0.0, 0.0, _LONGER * row.length, stock.width))
+    places, left = in_shape(pieces, of_remnant(strip, stock), units, progress)
+    filled = row if left else layout_of(stock, pieces, places)
+    return filled if filled.length < row.length else row
 
 
 def _units(pieces: Sequence[Piece]) -> list[Unit]:

@@ -54,6 +54,20 @@ class ToolOptions:
 
 
 @dataclass(frozen=True)
+class TabOptions:
+    """Short stretches of a cut that a machine leaves, so that pieces do not fall or fly; lengths [m]."""
+
+    tabs: float = MAKING(Kind.LENGTH, 0.0,
+        "Leave tabs of this width in the cuts of a machine, on straights, two or more on each and one in"
+        " 100 mm, so that pieces stay in the film", prop="")
+    tabs_below: float | None = MAKING(Kind.LENGTH, None,
+        "Only round pieces that are no larger than this either way; by default round all", prop="")
+
+
+NO_TABS = TabOptions()
+
+
+@dataclass(frozen=True)
 class RunOptions:
     """How much of a job is done, and by how many."""
 
@@ -124,6 +138,11 @@ class SheetOptions:
     spacing: float = SHEET(Kind.LENGTH, 0.003, "Film left between pieces, and at the edges", label="Spacing")
     grain: str = SHEET(Kind.CHOICE, "along", "How the grain of pieces lies, where their film has one",
         label="Grain lies", flag="--grain-lies", choices={"along": "Along", "across": "Across", "any": "Any"})
+    remnant: str | None = SHEET(Kind.FILE, None,
+        "Lay panels first onto what is left of another layout, as its file says; the rest on the film",
+        label="Remnant", flag="--on-remnant", metavar="FILE")
+    keep_remnant: bool = SHEET(Kind.FLAG, False,
+        "Also write what is left of the film as remnant.json, to lay out on it another time", prop="")
 
 
 @dataclass(frozen=True)

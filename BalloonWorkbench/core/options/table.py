@@ -14,6 +14,7 @@ from BalloonWorkbench.core.options.making import (
     RunOptions,
     SharingOptions,
     SheetOptions,
+    TabOptions,
     ToolOptions,
     WeldingOptions,
 )
@@ -38,6 +39,7 @@ DECLARED: tuple[type, ...] = (
     RunOptions,
     MachineOptions,
     ToolOptions,
+    TabOptions,
     WeldingOptions,
     ResultOptions,
     AssemblyOptions,

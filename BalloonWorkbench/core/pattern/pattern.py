@@ -80,6 +80,8 @@ class Pattern:
     seam_length   m, length of the weld of all loops, intake mouth excluded
     warnings      one sentence each, for the user
     more_intakes  those of chambers that the first one does not reach
+    film          length and width of the film that it is laid out on, whose corner is the origin [m]; None of
+                  a pattern that lies anywhere
     """
 
     contours: tuple[Contour, ...]
@@ -88,6 +90,7 @@ class Pattern:
     seam_length: float
     warnings: tuple[str, ...] = ()
     more_intakes: tuple[Intake, ...] = ()
+    film: tuple[float, float] | None = None
 
     @property
     def intakes(self) -> tuple[Intake, ...]:
@@ -147,4 +150,5 @@ class Pattern:
             contours=tuple(replace(contour, points=contour.points + shift) for contour in self.contours),
             intake=None if self.intake is None else replace(self.intake, at=self.intake.at + shift),
             more_intakes=tuple(replace(intake, at=intake.at + shift) for intake in self.more_intakes),
+            film=None,
         )

@@ -36,6 +36,7 @@ def back_of(pattern: Pattern) -> Pattern:
         contours=tuple(laid(contour) for contour in pattern.contours if not contour.front),
         intake=None if pattern.intake is None else _mirrored(pattern.intake),
         more_intakes=tuple(_mirrored(intake) for intake in pattern.more_intakes),
+        film=None,
     )
 
 
@@ -60,7 +61,9 @@ def split(pattern: Pattern) -> list[Pattern]:
                 lines.append(contour)
                 break
     return [
-        replace(pattern, contours=tuple(lines), intake=None, more_intakes=(), seam_length=_seams(lines))
+        replace(
+            pattern, contours=tuple(lines), intake=None, more_intakes=(), seam_length=_seams(lines), film=None
+        )
         for lines in owned
     ]
 
@@ -83,4 +86,5 @@ def turned(pattern: Pattern, angle: float, shift: Floats) -> Pattern:
         ),
         intake=None if pattern.intake is None else moved(pattern.intake),
         more_intakes=tuple(moved(intake) for intake in pattern.more_intakes),
+        film=None,
     )

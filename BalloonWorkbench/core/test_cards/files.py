@@ -11,7 +11,7 @@ from typing import Any
 from BalloonWorkbench.core.machines.machine import ANY, machine
 from BalloonWorkbench.core.machines.machine_file import machine_file
 from BalloonWorkbench.core.machines.tool import LINUXCNC, tool_data
-from BalloonWorkbench.core.machines.toolpaths import Toolpaths, draw, room
+from BalloonWorkbench.core.machines.toolpaths import Toolpaths, draw, reach
 from BalloonWorkbench.core.machines.writers.gcode import gcode, laser_settings
 from BalloonWorkbench.core.machines.writers.moves import moves_of
 from BalloonWorkbench.core.pattern.pattern import Pattern
@@ -46,7 +46,7 @@ def _in_place(field: CardField) -> Toolpaths:
     """What the tool does in a field, in coordinates of the card; the kerf is looked for, not made up for."""
     held = replace(field.machine, kerf=0.0, bed=None)
     pattern = Pattern((field.line,), None, 0.0, 0.0)
-    drawn, corner = draw(pattern, held), to_mm(pattern.bounds[0]) - room(held)
+    drawn, corner = draw(pattern, held), to_mm(reach(pattern, held)[0])
     return replace(drawn, paths=tuple(replace(path, curve=path.curve.moved(corner)) for path in drawn.paths))
 
 

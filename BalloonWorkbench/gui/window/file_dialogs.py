@@ -34,6 +34,11 @@ def ask_for_card(parent) -> str | None:
     return _ask(parent, translate("Choose a test card"), _kind(translate("Test cards"), ("json",)))
 
 
+def ask_for_remnant(parent) -> str | None:
+    """The path of a file of what is left of film; None where the user does not choose one."""
+    return _ask(parent, translate("Choose a remnant"), _kind(translate("Remnants"), ("json",)))
+
+
 def ask_for_picture(parent, *more: str) -> str | None:
     """The path of a picture, also with more endings; None where the user does not choose one."""
     return _ask(parent, translate("Choose a picture"), _kind(translate("Pictures"), _PICTURES + more))

@@ -141,6 +141,25 @@ def square(doc, tmp_path):
     return create.balloon_from_picture(doc, path, "300 mm", mesh_size=25, correct=False, intake=False)
 
 
+def test_tabs_hold_the_pieces(pattern, tmp_path):
+    """FreeCAD's importer finds outline and hole in pieces; larger ones stay whole where that is wished."""
+    import Import
+
+    file = export_for(pattern, "lightburn", tmp_path / "tabs.dxf", tabs="0.5 mm")
+    document = App.newDocument("Tabs")
+    try:
+        Import.readDXF(str(file), document.Name, False)
+        wires = [obj.Shape for obj in document.Objects if hasattr(obj, "Shape") and obj.Shape.Edges]
+        wires = [wire for wire in wires if wire.Length > 15.0]
+        assert len([wire for wire in wires if not wire.isClosed()]) > 2 * 2
+    finally:
+        App.closeDocument(document.Name)
+    whole = export_for(pattern, "lightburn", tmp_path / "whole.dxf", tabs="0.5 mm", tabs_below="20 mm")
+    assert whole.read_bytes() == export_for(pattern, "lightburn", tmp_path / "none.dxf").read_bytes()
+    with pytest.raises(InputError, match="A tab must be"):
+        check_for(pattern, "lightburn", tabs="60 mm")
+
+
 @pytest.mark.parametrize("live", [True, False])
 def test_scaled_until_it_fits(square, tmp_path, live):
     """Both balloons of the drawing become smaller, also where they wait for Inflate; the weld stays."""

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 import sketches
 
+import BalloonWorkbench
 from BalloonWorkbench.app import artwork, film_sheet
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document import create, kinds
@@ -241,6 +242,31 @@ def test_saved_and_opened(parts, rows, picture, tmp_path):
         assert art.Status == sheet.Status == status.READY
     finally:
         App.closeDocument(again.Name)
+
+
+def test_a_file_is_taken_away_again(parts, picture):
+    """FreeCAD itself keeps a file where an empty path is set."""
+    art = BalloonWorkbench.artwork(parts.pattern, back_picture=str(picture))
+    assert art.BackPicture.endswith(picture.name)
+    BalloonWorkbench.artwork(parts.pattern, back_picture="")
+    assert art.BackPicture == ""
+    assert "BackPicture" in art.PropertiesList
+
+
+def test_what_is_left_is_film_again(parts, rows, tmp_path):
+    """A sheet's remnant takes the next balloon, with its edge in the shape; saved with the document."""
+    first = BalloonWorkbench.nest([parts.pattern], film_width="800 mm", film_length="900 mm")
+    kept = BalloonWorkbench.keep_remnant(first, tmp_path)
+    sheet = BalloonWorkbench.nest([parts.pattern], film_width="800 mm", remnant=kept)
+    assert (sheet.Status, sheet.Sheets, sheet.Pieces) == (status.READY, 1, 2)
+    kept.unlink()  # the document has it
+    assert sheet.UsedLength.Value <= 900.0
+    assert sheet.UsedWidth.Value <= 800.0
+    assert sheet.Roles.count("") >= 1
+    assert export_for(sheet, "any-dxf", tmp_path).stat().st_size > 1000
+    sheet = BalloonWorkbench.nest([parts.pattern], sheet, remnant="")
+    assert (sheet.Remnant, sheet.Status) == ("", status.READY)
+    assert sheet.UsedWidth.Value == pytest.approx(800.0)
 
 
 def test_the_valve_is_on_another_film(parts, rows, tmp_path):

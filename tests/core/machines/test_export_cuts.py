@@ -151,7 +151,7 @@ def test_a_knife_starts_on_a_straight(kind: str) -> None:
             assert not path.curve.closed
             for mark in marks.geoms:
                 assert start.distance(mark) > 4.7
-            near = shapely.get_coordinates(start.buffer(4.0).intersection(ring))
+            near = shapely.get_coordinates(shapely.line_merge(start.buffer(4.0).intersection(ring)))
             steps = np.diff(near, axis=0)
             turns = np.diff(np.unwrap(np.arctan2(steps[:, 1], steps[:, 0])))
             assert np.abs(turns).max(initial=0.0) < np.radians(25.0)

@@ -14,7 +14,9 @@ import ezdxf
 import ezdxf.recover
 import numpy as np
 import pytest
+import shapely
 from drawn_shapes import NAMED, generated
+from read_back import begun_at, line
 
 from BalloonWorkbench.core.machines.machine import machine
 from BalloonWorkbench.core.machines.machine_file import machine_file
@@ -42,7 +44,9 @@ def as_written(wanted: list, layers: list[str], starts: list) -> list:
     left, order = list(wanted), []
     for layer, start in zip(layers, starts, strict=True):
         able = [number for number, (role, _, _) in enumerate(left) if role.value == layer]
-        order.append(left.pop(min(able, key=lambda number: np.abs(left[number][1][0] - start).max())))
+        place = shapely.Point(start)
+        role, points, closed = left.pop(min(able, key=lambda number: line(*left[number][1:]).distance(place)))
+        order.append((role, begun_at(points, closed, np.array(start)), closed))
     return order
 
 
@@ -135,5 +139,8 @@ def test_known_square() -> None:
     contours = (Contour(Role.CUT, points * 1.14 - 0.007, True),)
     text = dxf_bytes(Pattern(contours, None, 0.006, 0.4)).decode("cp1252")
     (polyline,) = ezdxf.read(io.StringIO(text)).modelspace()
-    assert polyline.get_points("xy") == [(0.0, 0.0), (114.0, 0.0), (114.0, 114.0), (0.0, 114.0)]
+    (x, y), *corners = polyline.get_points("xy")
+    assert corners == [(114.0, 0.0), (114.0, 114.0), (0.0, 114.0), (0.0, 0.0)]
+    assert y == 0.0
+    assert 5.0 < x < 109.0  # amid an edge
     assert math.isclose(text.count("\nLWPOLYLINE\n") + text.count("\r\nLWPOLYLINE\r\n"), 1)

@@ -237,7 +237,7 @@ def test_hpgl_by_hand() -> None:
         Pattern((Contour(Role.CUT, square, True),), None, 0.005, 0.4), machine("hpgl-plotter")
     )
     assert text.startswith(b"IN;\nPA;\nSP1;\n")
-    assert b"SP3;\nPU1620,400;\nPD4000,400,4000,4400,0,4400,0,400,1620,400,1660,400;\n" in text
+    assert b"SP3;\nPU1610,400;\nPD4000,400,4000,4400,0,4400,0,400,1610,400,1650,400;\n" in text
     assert text.endswith(b"PU0,0;\nSP0;\n")
 
 

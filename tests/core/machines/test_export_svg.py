@@ -8,7 +8,9 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+import shapely
 from drawn_shapes import NAMED
+from read_back import begun_at, line
 
 from BalloonWorkbench.core.machines.machine import machine
 from BalloonWorkbench.core.machines.machine_file import machine_file
@@ -54,10 +56,17 @@ def test_real_size_and_layers(name: str) -> None:
             assert course.startswith("M ")
             words = course.removeprefix("M ").removesuffix(" Z").replace(" L ", " ").split(" ")
             read = np.array(words, dtype=float).reshape(-1, 2)
-            sheet = [np.stack([c.points[:, 0] - low[0], high[1] - c.points[:, 1]], axis=1) for c in contours]
-            number = min(range(len(sheet)), key=lambda k: np.abs(1000.0 * sheet[k][0] - read[0]).max())
-            assert course.endswith(" Z") == contours.pop(number).closed
-            wanted = 1000.0 * sheet[number]
+            sheet = [
+                1e3 * np.stack([c.points[:, 0] - low[0], high[1] - c.points[:, 1]], axis=1) for c in contours
+            ]
+            away = [
+                line(points, c.closed).distance(shapely.Point(read[0]))
+                for points, c in zip(sheet, contours, strict=True)
+            ]
+            number = int(np.argmin(away))
+            closed = contours.pop(number).closed
+            assert course.endswith(" Z") == closed
+            wanted = begun_at(sheet[number], closed, read[0])
             assert read.shape == wanted.shape
             assert np.abs(read - wanted).max() < 0.01
 

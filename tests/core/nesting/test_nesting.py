@@ -14,12 +14,14 @@ import numpy as np
 import pytest
 import shapely
 from drawn_shapes import NAMED, corners_of
+from gcode_reader import HOT, LASER, held, run
 from shapely import affinity
 
 from BalloonWorkbench.core.errors import InputError, SolverError
 from BalloonWorkbench.core.film.library import film, with_grain
 from BalloonWorkbench.core.machines.machine import machines
 from BalloonWorkbench.core.machines.machine_file import machine_file
+from BalloonWorkbench.core.machines.preflight import preflight
 from BalloonWorkbench.core.nesting import nest as nesting
 from BalloonWorkbench.core.nesting.holes import into_holes
 from BalloonWorkbench.core.nesting.layout import GrainRule, Layout, Piece, Stock
@@ -27,6 +29,7 @@ from BalloonWorkbench.core.nesting.nest import ROWS_NOTE, nest
 from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
+from BalloonWorkbench.core.pattern.placement import turned
 from BalloonWorkbench.core.products import pieces_of
 
 HEART = build_pattern(NAMED["heart"].map(lambda loop: 0.5 * loop), 0.005)
@@ -198,6 +201,29 @@ def test_small_pieces_lie_in_holes(package: str, monkeypatch: pytest.MonkeyPatch
         assert math.sin((math.pi - own if place.mirrored else own) + place.angle) == pytest.approx(
             0.0, abs=1e-6
         )
+
+
+@pytest.mark.parametrize("spacing", [0.003, 0.0])
+def test_zero_of_a_tool_is_the_corner_of_the_film(spacing: float, monkeypatch: pytest.MonkeyPatch) -> None:
+    """G-code has the pieces where they lie on the film, from its corner, and a bed as large as the film is
+    enough; where pieces lie at its very edge, zero is 1 mm beside them."""
+    monkeypatch.setattr(nesting, "PACKAGE", "no_such_package")
+    (layout,), _ = nest([Piece(WEDGE, 3)], Stock(0.2, spacing=spacing))
+    sheet, film_size = layout.pattern([Piece(WEDGE, 3)]), (layout.length, 0.2)
+    for tool, kerf in ((LASER, 2e-4), (HOT, 0.0)):
+        made_for = held("grbl", tool, kerf=kerf, bed=film_size if spacing else None)
+        if spacing:
+            assert not any(finding.oversize for finding in preflight(sheet, made_for))
+        read = run(sheet, made_for)
+        lines = shapely.MultiLineString([stroke.line for stroke in read.strokes])
+        low = np.full(2, min(0.0, 1e3 * spacing - 1.0))
+        edge = shapely.box(0.0, 0.0, *(1e3 * np.array(film_size))).buffer(1e-3 - low[0], join_style="mitre")
+        assert edge.covers(affinity.translate(lines, *low))
+        roles = [Role.CUT] if tool is LASER else [Role.SEAL]
+        for contour in (each for role in roles for each in sheet.of(role)):
+            ring = affinity.translate(shapely.LinearRing(1e3 * contour.points), *-low)
+            assert lines.buffer(0.15).covers(ring)
+    assert turned(sheet, 0.3, np.zeros(2)).film is sheet.moved(np.ones(2)).film is None
 
 
 def test_film_without_a_grain_may_be_turned(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -74,11 +74,14 @@ def test_too_small_a_bed_is_shown_and_refused(made, tmp_path):
 
 @pytest.fixture(autouse=True)
 def no_beds():
-    """No bed of the user's own, before and after."""
+    """No bed and no tabs of the user's own, before and after."""
     group = App.ParamGet(preferences.PATH)
-    group.RemGroup("Beds")
+    own = "Beds", "Tabs", "TabsBelow"
+    for name in own:
+        group.RemGroup(name)
     yield
-    group.RemGroup("Beds")
+    for name in own:
+        group.RemGroup(name)
 
 
 def lines_of_macro(monkeypatch):
@@ -132,6 +135,31 @@ def test_bed_is_a_field_kept_for_the_machine(made, tmp_path, stand_in):
     hands.press("Ok")
     hands.wait_until(hands.panel_is_closed)
     assert lines[0][1] == {"machine": '"tiny"', "bed": '"900 mm x 600 mm"'}
+
+
+def test_tabs_are_kept_for_the_machine(made, tmp_path, stand_in):
+    choose("Plain paper (PDF)")
+    assert not hands.find("TabWidth").isVisible()
+    choose("Any program (DXF)")
+    hands.type_into(hands.find("TabWidth"), "many")
+    assert "length" in remarks()[0]
+    hands.type_into(hands.find("TabWidth"), "40 mm")
+    assert "A tab must be" in remarks()[0]
+    hands.type_into(hands.find("TabWidth"), "0.4 mm")
+    assert remarks() == ["Checked: ready to make."]
+    hands.screenshot("export_tabs")
+    hands.type_into(hands.find("TabsBelow"), "1 cm")
+    choose("Tiny laser")
+    assert hands.find("TabWidth").text() == ""
+    choose("Any program (DXF)")
+    assert (hands.find("TabWidth").text(), hands.find("TabsBelow").text()) == ("0.4 mm", "10 mm")
+    hands.type_into(hands.find("TabsBelow"), "50 cm")
+    hands.type_into(hands.find("File"), str(tmp_path / "x.dxf"), confirm=False)
+    lines = lines_of_macro(stand_in)
+    hands.press("Ok")
+    hands.wait_until(hands.panel_is_closed)
+    assert lines[0][1] == {"machine": '"any-dxf"', "tabs": '"0.4 mm"', "tabs_below": '"500 mm"'}
+    assert (tmp_path / "x.dxf").read_bytes().count(b"LWPOLYLINE") > 8
 
 
 def test_a_sketch_decides_the_size_itself(made):

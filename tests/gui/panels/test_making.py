@@ -115,7 +115,18 @@ def test_layout_on_film(made, tmp_path, stand_in):
     hands.click(hands.find("LayOut"))
     hands.wait_until(lambda: "used" in hands.find("NestResult").text())
     assert "Pieces: 6," in hands.find("NestResult").text()
+    hands.type_into(hands.find("Remnant"), str(tmp_path / "none.json"))
+    assert "There is no file" in hands.find("NestMessage").text()
+    left = tmp_path / "left.json"
+    left.write_text('{"unit": "mm", "outer": [[0, 0], [900, 0], [900, 450], [0, 450]]}')
+    hands.type_into(hands.find("Remnant"), str(left))
+    hands.click(hands.find("LayOut"))
+    hands.wait_until(lambda: "900 x 450 mm" in hands.find("NestResult").text())
     hands.screenshot("nest")
+    hands.find("Remnant").clear()
+    hands.type_into(hands.find("Remnant"), " ")
+    hands.click(hands.find("LayOut"))
+    hands.wait_until(lambda: "400 mm" in hands.find("NestResult").text())
     hands.press("Ok")
     hands.wait_until(hands.panel_is_closed)
     assert sheet.Status == status.READY

@@ -10,6 +10,7 @@ import FreeCADGui as Gui
 from BalloonWorkbench.app import artwork
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.properties import values
+from BalloonWorkbench.app.properties.property_table import put_file
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.options.option import snake
 from BalloonWorkbench.gui.paint.preview.painting_display import MODE
@@ -69,7 +70,7 @@ class ArtworkPanel(ObjectPanel):
     def choose(self, name: str, path: str) -> None:
         """Take a picture for a side; an empty path takes it away."""
         try:
-            setattr(self.obj, name, path)
+            put_file(self.obj, next(item for item in artwork.PROPERTIES if item.name == name), path)
         except OSError:
             self.message.setText(
                 translate("There is no file {}: check the name and the folder.").format(path)

@@ -117,17 +117,19 @@ class ExportPanel(TaskPanel):
         if self.as_paths.isVisibleTo(self.form) and self.as_paths.isChecked():
             return self._make_paths()
         made_for, paper, oversize = self.machine.machine, self.machine.paper, self.machine.oversize
-        own_bed = self.machine.own_bed
+        own_bed, tabs = self.machine.own_bed, self.machine.tabs.texts
         try:
             objection = self.file.objection(files_of(self.pattern(), self.file.path))
             if objection:
                 self.message.setText(objection)
                 return False
-            written = export_for(self.pattern(), made_for.name, self.file.path, paper, own_bed, oversize)
+            pattern, path = self.pattern(), self.file.path
+            written = export_for(pattern, made_for.name, path, paper, own_bed, oversize, *tabs)
         except BalloonError as error:
             self.message.setText(translated(str(error)))
             return False
         chosen = {"machine": made_for.name, "paper": paper, "bed": own_bed}
+        chosen |= dict(zip(("tabs", "tabs_below"), tabs))
         if self.machine.write.isChecked():
             chosen["oversize"] = oversize
         options = {key: macro_recorder.text(value) for key, value in chosen.items() if value}
@@ -143,10 +145,11 @@ class ExportPanel(TaskPanel):
     def _make_paths(self) -> bool:
         """Make tool paths in one undo step; the panel stays with the reason when that fails."""
         name, own_bed, oversize = self.machine.machine.name, self.machine.own_bed, self.machine.oversize
-        pattern, chosen = self.pattern(), {"bed": own_bed}
+        pattern, tabs = self.pattern(), self.machine.tabs.texts
+        chosen = {"bed": own_bed, **dict(zip(("tabs", "tabs_below"), tabs))}
         try:
             with undo_step(pattern.Document, translate("Tool paths")):
-                paths = tool_paths(pattern, name, own_bed, oversize)
+                paths = tool_paths(pattern, name, own_bed, oversize, *tabs)
                 pattern.Document.commitTransaction()
         except BalloonError as error:
             self.message.setText(translated(str(error)))

@@ -15,11 +15,13 @@ from BalloonWorkbench.app.engine import bed
 from BalloonWorkbench.app.engine.export import check_for
 from BalloonWorkbench.app.properties import preferences
 from BalloonWorkbench.core.errors import BalloonError
+from BalloonWorkbench.core.machines.contour.tabs import leaves_tabs
 from BalloonWorkbench.core.machines.machine import NO_LIMIT, bed_text, left_out, machines, parse_bed
 from BalloonWorkbench.core.machines.preflight import ERROR
 from BalloonWorkbench.core.machines.writers.pdf import TILES
 from BalloonWorkbench.core.options.making import REFUSE, WRITE
 from BalloonWorkbench.core.units import LENGTH_UNITS
+from BalloonWorkbench.gui.panels.making.tab_row import TabRow
 from BalloonWorkbench.gui.panels.widgets.fields import ReturnKey
 from BalloonWorkbench.gui.panels.widgets.narrow import FullList, NarrowCombo, WrappedLabel
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
@@ -80,11 +82,15 @@ class MachineBox(QtWidgets.QWidget):
         for widget in (self.pages, self.note):
             column.addWidget(widget)
         column.addLayout(bed_row)
+        self.tabs = TabRow()
+        column.addWidget(self.tabs)
         column.addWidget(self.list)
         column.addWidget(self._ways_on())
         self.choice.currentIndexChanged.connect(lambda _index: self.changed.emit())
         self.bed.editingFinished.connect(self._take_bed)
         ReturnKey(self.bed, self._take_bed)
+        self.tabs.changed.connect(self.changed.emit)
+        self.tabs.refused.connect(self._refuse)
         self.list.currentRowChanged.connect(self.mark)
         self.show_for(None)
 
@@ -160,13 +166,15 @@ class MachineBox(QtWidgets.QWidget):
         chosen = self.machine
         self.pages.setVisible(chosen.format == "pdf")
         self.bed.setText(bed_size_text(chosen.bed))
+        self.tabs.setVisible(leaves_tabs(chosen))
+        self.tabs.show_for(chosen.name)
         self.ways.hide()
         self.write.setChecked(False)
         if pattern is None:
             return
         self.note.setText(translated(chosen.note))
         try:
-            self.findings = check_for(pattern, chosen.name, self.own_bed)
+            self.findings = check_for(pattern, chosen.name, self.own_bed, REFUSE, *self.tabs.texts)
         except BalloonError as error:
             self.findings = ()
             self.list.addItem(translated(str(error)))
@@ -209,11 +217,15 @@ class MachineBox(QtWidgets.QWidget):
         try:
             size = parse_bed(text or NO_LIMIT, unit if unit in LENGTH_UNITS else "mm")
         except BalloonError as error:
-            self.list.insertItem(0, translated(str(error)))
-            self.list.fit()
+            self._refuse(str(error))
             return
         preferences.put_bed(self.known[self.choice.currentIndex()], size)
         self.changed.emit()
+
+    def _refuse(self, text: str) -> None:
+        """Say what is wrong with a text that was typed."""
+        self.list.insertItem(0, translated(text))
+        self.list.fit()
 
     def release(self) -> None:
         """The panel closes."""

@@ -3,22 +3,27 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import FreeCADGui as Gui
 
 from BalloonWorkbench.app import film_sheet
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document.parts import patterns
 from BalloonWorkbench.app.properties import values
+from BalloonWorkbench.app.properties.property_table import put_file
 from BalloonWorkbench.core.options.making import MOST_BALLOONS
 from BalloonWorkbench.core.units import percent_text
 from BalloonWorkbench.gui.panels import show
 from BalloonWorkbench.gui.panels.widgets.fields import PropertyForm
+from BalloonWorkbench.gui.panels.widgets.file_row import FileRow
 from BalloonWorkbench.gui.panels.widgets.narrow import FullList, WrappedLabel
 from BalloonWorkbench.gui.panels.widgets.object_panel import ObjectPanel
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.view3d.fit_view import fit_all
 from BalloonWorkbench.gui.window import macro_recorder
 from BalloonWorkbench.gui.window.borders import undo_step
+from BalloonWorkbench.gui.window.file_dialogs import ask_for_remnant
 from BalloonWorkbench.gui.window.sentences import translated
 from BalloonWorkbench.gui.window.user_units import NOTHING, size_text
 
@@ -37,6 +42,7 @@ class NestPanel(ObjectPanel):
     def __init__(self, obj):
         super().__init__(obj, "NestPanel", translate("Lay out on film"), "nest")
         self.is_new = not obj.LaidOutFor
+        self.remnant_path = None
         self.choice = FullList(_HIGHEST)
         self.choice.setObjectName("NestPatterns")
         for pattern in patterns(self.doc):
@@ -57,14 +63,19 @@ class NestPanel(ObjectPanel):
         form = PropertyForm(self.fields, self.form)
         form.addRow(QtWidgets.QLabel(translate("Patterns")))
         form.addRow(self.choice)
+        self.remnant = RemnantRow()
         for item in film_sheet.PROPERTIES:
-            if item.label:
+            if item.name == "Remnant":
+                form.addRow(QtWidgets.QLabel(translate(item.label)))
+                form.addRow(self.remnant)
+            elif item.label:
                 form.add(item)
         form.addRow(translate("Shown sheet"), self.sheet_number)
         form.addRow(self.apply)
         form.addRow(translate("Used"), self.result)
         form.addRow(self.message)
         self.sheet_number.valueChanged.connect(lambda _value: self.lay_out() if obj.LaidOutFor else None)
+        self.remnant.chosen.connect(self.take_remnant)
         self.apply.clicked.connect(lambda _checked=False: self.lay_out())
         self.show_state()
 
@@ -77,6 +88,18 @@ class NestPanel(ObjectPanel):
             if self.choice.item(row).checkState() == QtCore.Qt.Checked
         ]
         self.obj.Patterns = [self.doc.getObject(name) for name in names]
+
+    def take_remnant(self, path: str) -> None:
+        """Lay pieces onto what is left of another layout; an empty path takes it away."""
+        try:
+            put_file(self.obj, film_sheet.REMNANT, path)
+        except OSError:
+            self.message.setText(
+                translate("There is no file {}: check the name and the folder.").format(path)
+            )
+            return
+        self.remnant_path = path
+        self.remnant.show_name(Path(path).name)
 
     def lay_out(self) -> None:
         """Bring the layout up to date."""
@@ -96,11 +119,12 @@ class NestPanel(ObjectPanel):
     def show_state(self) -> None:
         """What the object says."""
         self.fields.refresh()
+        self.remnant.show_name(Path(self.obj.Remnant).name if self.obj.Remnant else "")
         obj, figures = self.obj, NOTHING
         if obj.LaidOutFor:
             figures = translate("Pieces: {}, on {}, {} used").format(
                 obj.Pieces,
-                size_text(obj.UsedLength.Value, obj.FilmWidth.Value),
+                size_text(obj.UsedLength.Value, obj.UsedWidth.Value or obj.FilmWidth.Value),
                 percent_text(0.01 * obj.Used),
             )
             if obj.Sheets > 1:
@@ -119,11 +143,30 @@ class NestPanel(ObjectPanel):
         Gui.Selection.clearSelection()
         Gui.Selection.addSelection(self.obj)  # what is exported next
         arguments = values.texts_of(self.obj, film_sheet.PROPERTIES)
+        if self.remnant_path is not None:
+            arguments["remnant"] = macro_recorder.text(self.remnant_path)
         if not self.is_new:
             arguments["sheet"] = macro_recorder.obj(self.obj)
         names = ", ".join(map(macro_recorder.obj, self.obj.Patterns))
         macro_recorder.call("nest", f"[{names}]", result=self.obj, name="sheet", **arguments)
         return True
+
+
+class RemnantRow(FileRow):
+    """The file of a remnant; an empty line takes it away."""
+
+    def __init__(self):
+        super().__init__(
+            "Remnant",
+            translate("None"),
+            translate("The file of what is left of another layout: pieces are laid inside it first"),
+            ask_for_remnant,
+        )
+
+    def take(self) -> None:
+        if self.path.isModified():
+            self.path.setModified(False)
+            self.chosen.emit(self.path.text().strip())
 
 
 def _name(pattern) -> str:
