@@ -6,6 +6,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from BalloonWorkbench.app import host
+from BalloonWorkbench.app.document.kinds import is_artwork
 from BalloonWorkbench.app.engine.bed import scale_to_bed
 from BalloonWorkbench.app.engine.cut_sheet import insist_on_ready, patterns_in, sheet
 from BalloonWorkbench.core.errors import ExportError, InputError
@@ -47,18 +48,27 @@ def check_for(pattern_obj, machine_name: str, bed: str | None = None, oversize: 
     def findings(_progress) -> list:
         return [finding for part in parts for finding in preflight(part, made_for, oversize)]
 
-    both = (*_film_findings(pattern_obj, made_for), *hooks.run_blocking("Checking the pattern", findings))
+    both = (*_other_findings(pattern_obj, made_for), *hooks.run_blocking("Checking the pattern", findings))
     each_once = {finding.text: finding for finding in both}.values()
     return tuple(sorted(each_once, key=lambda finding: finding.severity != ERROR))
 
 
-def _film_findings(pattern_obj, made_for) -> tuple:
-    """What the machine does that the films of the patterns do not take: the core's findings."""
+def _other_findings(pattern_obj, made_for) -> tuple:
+    """What the machine does that the films of the patterns do not take, and marks of a print that it does not
+    look for: the core's findings.
+    """
     from BalloonWorkbench.app.properties import film
-    from BalloonWorkbench.core.machines.preflight import film_preflight
+    from BalloonWorkbench.core.machines.marks.choose import marks_for, other_marks
+    from BalloonWorkbench.core.machines.preflight import WARNING, PreflightFinding, film_preflight
 
     films = dict.fromkeys(film.read(obj.Balloon) for obj in patterns_in(pattern_obj))
-    return tuple(finding for each in films for finding in film_preflight(each, made_for))
+    marks = (
+        other_marks(marks_for(pattern_obj.MarksFor.strip()), [made_for]) if is_artwork(pattern_obj) else ()
+    )
+    return (
+        *(finding for each in films for finding in film_preflight(each, made_for)),
+        *(PreflightFinding(WARNING, sentence) for sentence in marks),
+    )
 
 
 def files_of(pattern_obj, path) -> list[Path]:
@@ -102,7 +112,7 @@ def export_for(
     if oversize == SCALE:
         scale_to_bed(pattern_obj, machine_name, bed)
     made_for, pattern = machine(machine_name, bed), sheet(pattern_obj)
-    doubts = _film_findings(pattern_obj, made_for)
+    doubts = _other_findings(pattern_obj, made_for)
     path = Path(target)
     if path.is_dir():
         path = path / made_for.file_name

@@ -10,7 +10,7 @@ import numpy as np
 
 from BalloonWorkbench.core.errors import ExportError
 from BalloonWorkbench.core.machines.machine import Machine, bed_text
-from BalloonWorkbench.core.machines.toolpaths import BAR, BAR_ROOM, room
+from BalloonWorkbench.core.machines.toolpaths import BAR, BAR_ROOM, has_bar, room
 from BalloonWorkbench.core.options.making import REFUSE, SCALE, WRITE
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
 from BalloonWorkbench.core.pattern.placement import split
@@ -29,7 +29,9 @@ _LEAST = 0.02
 def size_on(pattern: Pattern, machine: Machine) -> Floats:
     """Width and height (2,) that a pattern takes on a machine's bed, with bar and room for the tool [m]."""
     width, height = np.array(pattern.size) + 2.0 * from_mm(room(machine))
-    if machine.control_bar and Role.REGISTRATION in machine.layers:
+    if pattern.page is not None:
+        width, height = np.maximum((width, height), pattern.page[1] - pattern.page[0])
+    if has_bar(pattern, machine):
         width, height = max(width, from_mm(BAR)), height + from_mm(BAR_ROOM)
     return np.array([width, height])
 

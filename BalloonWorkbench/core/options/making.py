@@ -105,6 +105,11 @@ class ArtworkOptions:
     back_picture: str | None = ARTWORK(Kind.FILE, None,
         "Another picture for the back; empty takes that of the front", label="Back", flag="--artwork-back")
     bleed: float = ARTWORK(Kind.LENGTH, 0.003, "How far the print goes past the cut", label="Bleed")
+    marks_for: str | None = ARTWORK(Kind.TEXT, None,
+        "The machine that finds the print again by its registration marks; empty has crosses for the eye",
+        label="Marks for", metavar="NAME",
+        typed="Print the registration marks of this machine; by default of the first --machine that looks for"
+        " marks itself, else crosses for the eye")
     dpi: float = ARTWORK(Kind.NUMBER, 300.0, "Dots per inch of the files", label="Dots per inch",
         prop="Resolution", step=50.0, decimals=0, most=2400.0)
 

@@ -38,6 +38,7 @@ class Contour:
 
     front  only the front panel has it, as the hole of a nozzle
     stock  the film that it is on: "" the balloon's, else a name such as "valve"
+    filled printed all over, as a mark that a machine looks for
     """
 
     role: Role
@@ -45,6 +46,7 @@ class Contour:
     closed: bool
     front: bool = False
     stock: str = ""
+    filled: bool = False
 
     @property
     def line(self) -> Floats:
@@ -80,6 +82,7 @@ class Pattern:
     seam_length   m, length of the weld of all loops, intake mouth excluded
     warnings      one sentence each, for the user
     more_intakes  those of chambers that the first one does not reach
+    page          lower left and upper right corner (2,) m of the paper that it is printed on, where it is
     """
 
     contours: tuple[Contour, ...]
@@ -88,6 +91,7 @@ class Pattern:
     seam_length: float
     warnings: tuple[str, ...] = ()
     more_intakes: tuple[Intake, ...] = ()
+    page: tuple[Floats, Floats] | None = None
 
     @property
     def intakes(self) -> tuple[Intake, ...]:
@@ -147,4 +151,5 @@ class Pattern:
             contours=tuple(replace(contour, points=contour.points + shift) for contour in self.contours),
             intake=None if self.intake is None else replace(self.intake, at=self.intake.at + shift),
             more_intakes=tuple(replace(intake, at=intake.at + shift) for intake in self.more_intakes),
+            page=None if self.page is None else (self.page[0] + shift, self.page[1] + shift),
         )

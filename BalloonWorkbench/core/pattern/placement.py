@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from BalloonWorkbench.core.geometry.polyline import length
+from BalloonWorkbench.core.geometry.polyline import bounds, length
 from BalloonWorkbench.core.geometry.vectors import rotation
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.pattern import Contour, Intake, Pattern, Role
@@ -36,6 +36,7 @@ def back_of(pattern: Pattern) -> Pattern:
         contours=tuple(laid(contour) for contour in pattern.contours if not contour.front),
         intake=None if pattern.intake is None else _mirrored(pattern.intake),
         more_intakes=tuple(_mirrored(intake) for intake in pattern.more_intakes),
+        page=None if pattern.page is None else bounds(np.array(pattern.page) * flip),
     )
 
 
@@ -60,7 +61,14 @@ def split(pattern: Pattern) -> list[Pattern]:
                 lines.append(contour)
                 break
     return [
-        replace(pattern, contours=tuple(lines), intake=None, more_intakes=(), seam_length=_seams(lines))
+        replace(
+            pattern,
+            contours=tuple(lines),
+            intake=None,
+            more_intakes=(),
+            seam_length=_seams(lines),
+            page=None,
+        )
         for lines in owned
     ]
 
@@ -83,4 +91,11 @@ def turned(pattern: Pattern, angle: float, shift: Floats) -> Pattern:
         ),
         intake=None if pattern.intake is None else moved(pattern.intake),
         more_intakes=tuple(moved(intake) for intake in pattern.more_intakes),
+        page=None if pattern.page is None else bounds(_corners(pattern.page) @ turn + shift),
     )
+
+
+def _corners(page: tuple[Floats, Floats]) -> Floats:
+    """All four corners of a page (4, 2) m."""
+    (left, bottom), (right, top) = page
+    return np.array([(left, bottom), (right, bottom), (right, top), (left, top)])

@@ -11,8 +11,8 @@ from __future__ import annotations
 
 from BalloonWorkbench.core.arcs.curves import Curve
 from BalloonWorkbench.core.errors import ExportError
-from BalloonWorkbench.core.machines.layers import LaserSettings
-from BalloonWorkbench.core.machines.machine import TOOL_LAYER, Machine
+from BalloonWorkbench.core.machines.layers import TOOL_LAYER, LaserSettings
+from BalloonWorkbench.core.machines.machine import Machine
 from BalloonWorkbench.core.machines.toolpaths import Toolpaths
 from BalloonWorkbench.core.pattern.pattern import Role
 from BalloonWorkbench.core.units import to_mm
