@@ -241,6 +241,10 @@ def test_whose_marks_a_print_has() -> None:
     assert marks_for(None) == marks_for("", [laser]) == CROSSES
     assert marks_for(None, [laser, knife, table]) == knife.marks
     assert marks_for("zuend", [knife]) == table.marks
+    cricut, shop = (machine(name) for name in ("cricut", "print-and-cut-pdf"))
+    assert marks_for(None, [shop, cricut]) == shop.marks
+    assert marks_for(None, [shop, laser]) == CROSSES
+    assert other_marks(knife.marks, [shop]) == ()
     assert other_marks(knife.marks, [laser, knife]) == ()
     (told,) = other_marks(CROSSES, [laser, table])
     assert told.startswith(

@@ -12,11 +12,14 @@ from BalloonWorkbench.core.machines.marks.style import CROSSES, Marks
 def marks_for(name: str | None, asked: Sequence[Machine] = ()) -> Marks:
     """Those of the machine of a name; without one those of the first asked for that looks for marks itself.
 
-    Raises InputError where there is no such machine.
+    None where the programs of all that are asked for have their own. InputError where there is no such
+    machine.
     """
     if name:
         return machine(name).marks
-    return next((each.marks for each in asked if not each.marks.are_seen), CROSSES)
+    wanted = [each.marks for each in asked]
+    others = CROSSES if not wanted or any(marks.are_seen for marks in wanted) else wanted[0]
+    return next((marks for marks in wanted if marks.are_found), others)
 
 
 def other_marks(marks: Marks, asked: Sequence[Machine]) -> tuple[str, ...]:
@@ -26,5 +29,5 @@ def other_marks(marks: Marks, asked: Sequence[Machine]) -> tuple[str, ...]:
         f"The print has {has}, and {each.title} looks for others: print once more with its marks"
         f" ({each.name})."
         for each in asked
-        if each.marks != marks and not each.marks.are_seen
+        if each.marks.are_found and each.marks != marks
     )

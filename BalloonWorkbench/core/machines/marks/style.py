@@ -79,6 +79,11 @@ class Marks:
         """Whether somebody finds them by eye and tells the machine: any machine takes them."""
         return self.style == BY_EYE
 
+    @property
+    def are_found(self) -> bool:
+        """Whether the machine looks for them itself."""
+        return self.style not in (BY_EYE, NONE)
+
 
 #: Those of a machine whose file says nothing.
 CROSSES = Marks(BY_EYE, size=from_mm(10.0), line=from_mm(0.25), clear=from_mm(3.0), inset=from_mm(2.0))
