@@ -95,14 +95,21 @@ def export_for(
     What is cut from another film than the balloon's goes into a file of its own beside it.
     paper divides a PDF into pages of "A4", "A3" or "Letter"; bed is another one than in the machine's file,
     such as "600 x 400 mm", "600 mm" for a roll, or "none". A pattern that is larger is refused; with oversize
-    "write" it is written all the same, with "scale" the balloon is made smaller first, see `scale_to_bed`.
+    "write" it is written all the same, with "split" in several files ("-2" and so on beside the first), with
+    "scale" the balloon is made smaller first, see `scale_to_bed`.
     Raises ExportError, and writes nothing, when the machine cannot make the pattern.
     """
     from BalloonWorkbench.app.border import hooks
     from BalloonWorkbench.core.files.write import write_files
     from BalloonWorkbench.core.machines.bed import OVERSIZE, SCALE
     from BalloonWorkbench.core.machines.machine import machine
-    from BalloonWorkbench.core.machines.machine_file import file_of_stock, machine_file
+    from BalloonWorkbench.core.machines.machine_file import (
+        drawing_file,
+        drawings,
+        file_of_stock,
+        machine_file,
+        numbered_file,
+    )
     from BalloonWorkbench.core.machines.preflight import ERROR, preflight
 
     if oversize not in OVERSIZE:
@@ -125,7 +132,11 @@ def export_for(
                 if finding.severity == ERROR:
                     raise ExportError(finding.text)
             name = file_of_stock(path.name, stock) if number else path.name
-            files[name] = machine_file(part, made_for, paper, hooks.say)
+            if paper is not None:
+                files[name] = machine_file(part, made_for, paper, hooks.say)
+                continue
+            for place, drawing in enumerate(drawings(part, made_for, oversize), 1):
+                files[numbered_file(name, place)] = drawing_file(drawing, made_for, None, hooks.say)
         return files
 
     write_files(path.parent, hooks.run_blocking(f"Writing {path.name}", contents))
@@ -144,7 +155,10 @@ def tool_paths(pattern_obj, machine_name: str, bed: str | None = None, oversize:
     from BalloonWorkbench.core.machines.preflight import ERROR
     from BalloonWorkbench.core.machines.toolpaths import draw
     from BalloonWorkbench.core.machines.writers.moves import moves
+    from BalloonWorkbench.core.options.making import SPLIT
 
+    if oversize == SPLIT:
+        raise ExportError("Tool paths are not split over beds: write the G-code, or choose a larger bed.")
     made_for, pattern = machine(machine_name, bed), sheet(pattern_obj)
     for finding in check_for(pattern_obj, machine_name, bed, oversize):
         if finding.severity == ERROR:

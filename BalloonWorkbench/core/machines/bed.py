@@ -11,13 +11,13 @@ import numpy as np
 from BalloonWorkbench.core.errors import ExportError
 from BalloonWorkbench.core.machines.machine import Machine, bed_text
 from BalloonWorkbench.core.machines.toolpaths import BAR, BAR_ROOM, has_bar, room
-from BalloonWorkbench.core.options.making import REFUSE, SCALE, WRITE
+from BalloonWorkbench.core.options.making import REFUSE, SCALE, SPLIT, WRITE
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
 from BalloonWorkbench.core.pattern.placement import split
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import from_mm
 
-OVERSIZE = (REFUSE, WRITE, SCALE)
+OVERSIZE = (REFUSE, WRITE, SCALE, SPLIT)
 
 #: A pattern is solved again so often until it fits, each time a little below what the last one lets expect.
 _ROUNDS = 8
