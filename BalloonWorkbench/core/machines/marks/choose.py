@@ -17,9 +17,9 @@ def marks_for(name: str | None, asked: Sequence[Machine] = ()) -> Marks:
     """
     if name:
         return machine(name).marks
-    wanted = [each.marks for each in asked]
-    others = CROSSES if not wanted or any(marks.are_seen for marks in wanted) else wanted[0]
-    return next((marks for marks in wanted if marks.are_found), others)
+    looked_for = [each.marks for each in asked]
+    others = CROSSES if not looked_for or any(marks.are_seen for marks in looked_for) else looked_for[0]
+    return next((marks for marks in looked_for if marks.are_found), others)
 
 
 def other_marks(marks: Marks, asked: Sequence[Machine]) -> tuple[str, ...]:

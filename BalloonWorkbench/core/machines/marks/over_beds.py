@@ -29,7 +29,7 @@ from BalloonWorkbench.core.units import from_mm, length_text, to_mm
 
 #: All in mm: half of a cross that is made, and of one that is found; room round it to film that is used, and
 #: to the edge of the bed.
-_MADE, _FOUND, _CLEAR = 5.0, 7.0, 2.0
+_MADE, _TARGET, _CLEAR = 5.0, 7.0, 2.0
 #: Film beyond the drawing for crosses, and how far two beds overlap at least.
 _ROOM, _OVERLAP = 19.0, 30.0
 #: How far apart two crosses must be, so that the film is not turned when they lie on each other.
@@ -66,7 +66,7 @@ def over_beds(pattern: Pattern, machine: Machine) -> list[Toolpaths]:
     low = to_mm(pattern.bounds[0]) - room(machine) if machine.tool else _corner(pattern, machine)
     package = shapely()
     film = package.union_all([package.Polygon(to_mm(cut.points) - low) for cut in pattern.of(Role.CUT)])
-    order, crosses = _laid_on(beds, film.buffer(_FOUND + _CLEAR), machine)
+    order, crosses = _laid_on(beds, film.buffer(_TARGET + _CLEAR), machine)
     return [_file(drawing, bed, own) for bed, own in zip(order, crosses, strict=True)]
 
 
@@ -148,7 +148,7 @@ def _laid_on(beds: list[_Bed], used: Any, machine: Machine) -> tuple[list[_Bed],
     order, left = [beds[0]], list(range(1, len(beds)))
     crosses: list[list[_Cross]] = [[]]
     while left:
-        taken = [package.Point(at).buffer(2.5 * _FOUND) for own in crosses for at, _ in own]
+        taken = [package.Point(at).buffer(2.5 * _TARGET) for own in crosses for at, _ in own]
         waste = package.union_all([_free(bed) for bed in order]).difference(package.union_all([used, *taken]))
         chosen = max(((_farthest(beds[k], waste), k) for k in left), key=lambda each: each[0][0])
         (apart, pair), number = chosen
@@ -162,14 +162,14 @@ def _laid_on(beds: list[_Bed], used: Any, machine: Machine) -> tuple[list[_Bed],
             before = next(k for k, bed in enumerate(order) if _free(bed).distance(package.Point(at)) < _HAIR)
             crosses[before].append((at, _MADE))
         order.append(beds[number])
-        crosses.append([(at, _FOUND) for at in pair])
+        crosses.append([(at, _TARGET) for at in pair])
         left.remove(number)
     return order, crosses
 
 
 def _free(bed: _Bed) -> Any:
     """Where crosses may be on a bed, as an area of shapely."""
-    edge = _FOUND + _CLEAR
+    edge = _TARGET + _CLEAR
     return shapely().box(*(bed.window[0] + edge), *(bed.window[1] - edge))
 
 
