@@ -67,9 +67,10 @@ bench: native ## Time against a yardstick, NumPy and Surface Evolver, write docs
 examples: native ## Make the example documents in resources/examples anew
 	@tools/in-window.sh build/examples tools/make_examples.py
 
-pictures: native ## Take the pictures of the tutorial anew, in docs/images
+pictures: native ## Make the pictures of the guide anew, in docs/images
 	@BALLOON_TESTS="tests/gui/paint/test_paint.py tests/gui/paint/test_paint_fish.py tests/gui/commands/test_examples.py tests/gui/many_panels/test_tutorial_bodies.py" tools/test.sh gui
 	@cp build/pictures/tutorial-*.png docs/images
+	@$(PYTHON) tools/make_figures.py
 
 # Files, outlines, options, kills: as many as it takes a night to try. The last lines put faults into the engine.
 fuzz: native readers ## Inflate 2 000 outlines and 300 bags, read 10 000 broken files and 300 meshes, kill writers everywhere, inject 200 faults
@@ -79,7 +80,7 @@ fuzz: native readers ## Inflate 2 000 outlines and 300 bags, read 10 000 broken 
 	    BALLOON_WORD_SIZES="3mm 30mm 5m 30m" BALLOON_WORD_SHAPES="star fish heart" \
 	    $(PYTHON) -m pytest -q -o faulthandler_timeout=0 --log-cli-level=INFO \
 	    tests/core/outline/test_random_outlines.py tests/core/readers/test_broken_files.py tests/core/test_value_limits.py \
-	    tests/core/files/test_interrupted_writing.py tests/core/machines/test_export_cuts.py tests/core/advice/test_coach_shapes.py tests/core/advice/test_coach_study.py \
+	    tests/core/files/test_interrupted_writing.py tests/core/machines/test_export_cuts.py tests/core/machines/test_sweeps.py tests/core/advice/test_coach_shapes.py tests/core/advice/test_coach_study.py \
 	    tests/core/pattern/intake/test_intake_places.py tests/core/results/test_layers.py tests/core/design/test_draft.py tests/core/test_words.py tests/core/mesh/test_mesh_delaunay.py \
 	    tests/core/bags/test_random_bags.py tests/core/bag_design/test_band_smooth.py \
 	    tests/core/targets/test_broken_mesh_files.py tests/core/segmentation/test_divide_steady.py

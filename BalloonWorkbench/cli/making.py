@@ -71,6 +71,12 @@ def checked(
         if options.report == HTML:
             page = partial(page_file, balloon, title, artwork, say, language)
             made.append(attempt(PAGE, lambda: ({PAGE: page()}, [])))
+        if options.animation is not None:
+            from BalloonWorkbench.core.shared.animation import animation_file
+
+            name = f"inflation.{options.animation}"
+            moving = partial(animation_file, balloon, options.animation, artwork, progress)
+            made.append(attempt(name, lambda: ({name: moving()}, [])))
         if options.assembly is not None:
             from BalloonWorkbench.core.products import assembly_files
 

@@ -15,7 +15,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
@@ -56,6 +56,7 @@ from BalloonWorkbench.core.reports import report
 from BalloonWorkbench.core.results.result_files import frame_files, results_bytes
 from BalloonWorkbench.core.results.stl import stl_bytes
 from BalloonWorkbench.core.rounded import rounded, rounded_outline
+from BalloonWorkbench.core.solver.dynamics.animation import Frame, inflate_in_time
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.tracing.picture import Decode
@@ -362,12 +363,19 @@ def inflation_files(
 
     Raises what inflate_in_time raises.
     """
-    from BalloonWorkbench.core.solver.dynamics.animation import inflate_in_time
-
     contents: dict[str, bytes] = {}
+    for number, (blown, strip) in enumerate(blown_up(inflations, film, frames, progress)):
+        contents |= frame_files(blown, strip, film, numbered("inflation", number))
+    return contents
+
+
+def blown_up(
+    inflations: Sequence[Inflation], film: Film, frames: int, progress: Progress = no_progress
+) -> Iterator[tuple[Inflation, tuple[Frame, ...]]]:
+    """Each balloon at rest, and so many frames of its inflation. Raises what inflate_in_time raises."""
     for number, inflation in enumerate(inflations):
         solved = inflation.report
-        blown, strip = inflate_in_time(
+        yield inflate_in_time(
             inflation.assembly,
             film,
             solved.pressure,
@@ -377,8 +385,6 @@ def inflation_files(
             lift=solved.lift,
             progress=share_of(progress, number, len(inflations)),
         )
-        contents |= frame_files(blown, strip, film, numbered("inflation", number))
-    return contents
 
 
 def numbered(name: str, number: int) -> str:

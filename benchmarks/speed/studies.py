@@ -111,12 +111,17 @@ def _killed(path: Path, out: Path, balloons: int) -> int:
     command = [sys.executable, "-m", "BalloonWorkbench", "study", str(path), "--out", str(out)]
     for number in range(1, _KILLS + 1):
         running = subprocess.Popen(command, cwd=ROOT, start_new_session=True, stdout=subprocess.DEVNULL)
-        while running.poll() is None and len([*out.rglob("report.json")]) < number * balloons // (_KILLS + 1):
+        while running.poll() is None and _made(out) < number * balloons // (_KILLS + 1):
             time.sleep(0.02)
         os.killpg(running.pid, signal.SIGKILL)
         running.wait()
     subprocess.run(command, cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
     return _KILLS + 1
+
+
+def _made(out: Path) -> int:
+    """How many balloons are there; folders come and go while they are counted."""
+    return sum("report.json" in files for _, _, files in os.walk(out))
 
 
 @contextmanager

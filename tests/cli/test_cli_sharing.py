@@ -6,12 +6,15 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+import cv2
 import numpy as np
 import pytest
 import trimesh
+from PIL import Image, ImageSequence
 
 from BalloonWorkbench.cli import main
 from BalloonWorkbench.core.artwork.files import png_bytes
+from BalloonWorkbench.core.shared import animation
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "resources" / "examples"
 TWO = {"unit": "mm", "parts": [
@@ -79,3 +82,50 @@ def test_many_panels(tmp_path: Path, file: str, options: tuple[str, ...], height
     assert whole.volume == pytest.approx(inflated["volume_m3"], rel=0.1)
     assert page.count("<path") > 6
     assert page.startswith("<!DOCTYPE html>")
+
+
+@pytest.mark.parametrize("kind", ["gif", "mp4"])
+def test_the_inflation_as_a_moving_picture(
+    kind: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """OpenCV and Pillow play it: flat film at first, a thick balloon at the end, its shadow below; red film
+    on white. The same input gives the same file."""
+    monkeypatch.setattr(animation, "_FRAMES", 4)
+    bag = EXAMPLES / "bags" / "cube.json"
+    for out in ("one", "other"):
+        asked = ("--mesh-size", "60mm", "--animation", kind, "--only", "report")
+        assert main(["inflate", str(bag), "--out", str(tmp_path / out), *asked]) == 0
+    file, again = (tmp_path / out / f"inflation.{kind}" for out in ("one", "other"))
+    frames = played(file)
+    assert len(frames) == (4 if kind == "gif" else 4 + animation._REST)
+    red = [(frame[..., 0] > frame[..., 1] + 60.0) for frame in frames]
+    assert red[-1].sum() != red[0].sum()
+    assert np.ptp(np.flatnonzero(red[-1].any(axis=0))) > 1.1 * np.ptp(np.flatnonzero(red[0].any(axis=0)))
+    assert frames[0][:4].min() > 240.0
+    below = np.flatnonzero(red[-1].any(axis=1)).max()
+    assert (np.ptp(frames[-1][below + 2 :], axis=-1) < 20.0).all()
+    assert frames[-1][below + 2 :].min() < 225.0
+    assert file.read_bytes() == again.read_bytes()
+
+
+def played(file: Path) -> list[np.ndarray]:
+    if file.suffix == ".gif":
+        return [
+            np.array(each.convert("RGB"), dtype=float) for each in ImageSequence.Iterator(Image.open(file))
+        ]
+    video, frames = cv2.VideoCapture(str(file)), []
+    while (read := video.read())[0]:
+        frames.append(read[1][..., ::-1].astype(float))
+    return frames
+
+
+def test_what_cannot_be_animated_is_left_out_with_a_sentence(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(animation, "opencv", lambda: None)
+    bag = EXAMPLES / "bags" / "cube.json"
+    asked = ("--mesh-size", "60mm", "--animation", "mp4", "--only", "report")
+    assert main(["inflate", str(bag), "--out", str(tmp_path), *asked]) == 0
+    report = json.loads((tmp_path / "report.json").read_text(encoding="utf-8"))
+    assert any("--animation gif" in warning for warning in report["warnings"])
+    assert not (tmp_path / "inflation.mp4").exists()

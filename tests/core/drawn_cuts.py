@@ -120,12 +120,12 @@ def made(parts: tuple[Outline, ...], wanted: PatternOptions) -> Pattern | None:
     return None
 
 
-def sheets(count: int) -> Iterator[tuple[str, Pattern]]:
+def sheets(count: int, most_copies: int = 10) -> Iterator[tuple[str, Pattern]]:
     """So many patterns with a name, in an order that soon has some of each kind."""
-    return islice(_sheets(), count)
+    return islice(_sheets(most_copies), count)
 
 
-def _sheets() -> Iterator[tuple[str, Pattern]]:
+def _sheets(most_copies: int) -> Iterator[tuple[str, Pattern]]:
     for seed in range(10**6):
         random = np.random.default_rng(seed)
         names = list(HOLES)
@@ -136,6 +136,7 @@ def _sheets() -> Iterator[tuple[str, Pattern]]:
         )
         for name, parts in drawn:
             wanted = wishes(random)
+            wanted = replace(wanted, copies=min(wanted.copies, most_copies))
             sheet = made(parts, wanted)
             if sheet is not None:
                 yield f"{name}, {wanted}", sheet

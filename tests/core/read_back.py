@@ -24,6 +24,7 @@ NEAR = 0.05  # mm
 POINT = 25.4 / 72.0  # mm
 _PIXEL = 25.4 / 96.0  # mm, the unit of svgelements
 _STEPS = 24  # of a curve
+_CHORD = 3.0  # of its units
 
 #: Lines with their layer or colour.
 Lines = list[tuple[str, shapely.Geometry]]
@@ -117,7 +118,8 @@ def svg_lines(text: str) -> tuple[Lines, float]:
             drawn = [segment for segment in part if not isinstance(segment, svgelements.Move)]
             for segment in drawn:
                 straight = isinstance(segment, (svgelements.Line, svgelements.Close))
-                for share in (0.0, 1.0) if straight else np.linspace(0.0, 1.0, _STEPS):
+                steps = 2 if straight else max(_STEPS, int(segment.length(error=1e-3) / _CHORD))
+                for share in np.linspace(0.0, 1.0, steps):
                     at = segment.point(share)
                     points.append((float(at.x), picture.height - float(at.y)))
             if drawn:

@@ -41,9 +41,9 @@ _VERSIONS = {"dxf": ("R2000", "R12"), "svg": ("",), "pdf": ("",), "hpgl": ("",),
 NO_LIMIT = "none"
 _LEAST_BED, _MOST = 1.0, 1e5  # mm
 UNITS = {"mm": MILLIMETRE, "in": INCH}
-#: After so many offsets a knife that came down turned by 150 degrees is 8 degrees off: the tangent of half
+#: After so many offsets a knife that came down turned by 175 degrees is 7 degrees off: the tangent of half
 #: the angle falls by e for each.
-_SWING = 4.0
+_SWING = 6.0
 #: What a machine does to the film that not every film takes; "" where nothing is known of it.
 PROCESSES = ("", "laser", "heat-sealing")
 #: What files are about whose name tells no more.

@@ -150,3 +150,5 @@ class SharingOptions:
     report: str | None = MAKING(Kind.CHOICE, None,
         "Also write one web page with the balloon in 3D, its numbers and its pattern, which needs no network",
         prop="", choices={HTML: ""})
+    animation: str | None = MAKING(Kind.CHOICE, None,
+        "Also write the inflation as a moving picture", prop="", choices={"gif": "", "mp4": ""})

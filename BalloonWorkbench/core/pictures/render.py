@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from itertools import product
 
 import numpy as np
 from numpy.typing import NDArray
@@ -39,26 +40,36 @@ def balloon_picture(
     return surface_picture(_surface(inflations, seal_width, rgb(colour)), width, height)
 
 
-def surface_picture(surface: Coloured, width: int, height: int, painting: ColourAt | None = None) -> Floats:
+def surface_picture(
+    surface: Coloured,
+    width: int,
+    height: int,
+    painting: ColourAt | None = None,
+    box: Floats | None = None,
+) -> Floats:
     """RGBA (height, width, 4) of a surface over its soft shadow; y is up, z to the eye.
 
     painting  gives the colours of places between vertices, from what these have instead of colours
+    box       (2, 3) m, lower and upper corner of what the picture has room for; None: of the surface
     """
     size = np.array([width, height]) * _OVERSAMPLING
     positions, triangles, normals, colours = surface
-    middle = 0.5 * (positions.min(axis=0) + positions.max(axis=0))
-    reach = float(np.linalg.norm(np.ptp(positions, axis=0)))
+    within = positions if box is None else np.array([*product(*box.T)])
+    middle = 0.5 * (within.min(axis=0) + within.max(axis=0))
+    reach = float(np.linalg.norm(np.ptp(within, axis=0)))
     turn = _rotation()
-    seen = (positions - middle) @ turn.T / reach
     # The shadow falls on a floor below the lowest point of the upright balloon.
-    floor = positions[:, 1].min() - 0.04 * reach
-    fallen = (
-        np.stack([positions[:, 0], np.full(len(positions), floor), positions[:, 2]], axis=1) - middle
-    ) @ turn.T
-    fallen /= reach
-    flat, flat_shadow = _projected(seen), _projected(fallen)
-    everything = np.concatenate([flat, flat_shadow])
-    low, high = bounds(everything)
+    floor = within[:, 1].min() - 0.04 * reach
+
+    def eye(points: Floats) -> Floats:
+        return (points - middle) @ turn.T / reach
+
+    def fallen(points: Floats) -> Floats:
+        return _projected(eye(np.stack([points[:, 0], np.full(len(points), floor), points[:, 2]], axis=1)))
+
+    seen, flat_shadow = eye(positions), fallen(positions)
+    flat = _projected(seen)
+    low, high = bounds(np.concatenate([_projected(eye(within)), fallen(within)]))
     scale = 0.86 * float(np.min(size / (high - low)))
     shift = 0.5 * size - 0.5 * scale * (low + high)
 

@@ -13,8 +13,10 @@ from BalloonWorkbench.core.scenes.surface_mesh import Finish, SurfaceMesh
 from BalloonWorkbench.core.types import Floats
 
 
-def meshes_picture(meshes: Sequence[SurfaceMesh], width: int, height: int) -> Floats:
-    """RGBA (height, width, 4), values 0 to 1: as core/pictures/render.py lights film."""
+def meshes_picture(
+    meshes: Sequence[SurfaceMesh], width: int, height: int, box: Floats | None = None
+) -> Floats:
+    """RGBA (height, width, 4), values 0 to 1: as core/pictures/render.py lights film; box: as there."""
     meshes = [*meshes, *(_inner(mesh) for mesh in meshes if mesh.finish.inside)]
     finishes = [*{id(mesh.finish): mesh.finish for mesh in meshes}.values()]
     number = {id(finish): float(k) for k, finish in enumerate(finishes)}
@@ -29,7 +31,7 @@ def meshes_picture(meshes: Sequence[SurfaceMesh], width: int, height: int) -> Fl
             colours[own == k] = _colours(finish, values[own == k, :2])
         return colours
 
-    return surface_picture(together(parts), width, height, colour_at)
+    return surface_picture(together(parts), width, height, colour_at, box)
 
 
 def _inner(mesh: SurfaceMesh) -> SurfaceMesh:
