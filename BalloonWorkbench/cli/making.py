@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from BalloonWorkbench.cli.console import readable
-from BalloonWorkbench.core.errors import ExportError, InputError
+from BalloonWorkbench.core.errors import ExportError, InputError, MarksError
 from BalloonWorkbench.core.job import Balloon
 from BalloonWorkbench.core.language.speech import chosen_language
 from BalloonWorkbench.core.machines.machine import ANY, Machine, machine, machines
@@ -104,13 +104,17 @@ def _print(
         else:
             files, remarks, front, back = print_files(balloon, artwork, asked)
             sides = [("front-", say("front"), front), ("back-", say("back"), back)]
-    except InputError as error:
+    except MarksError as error:
         return {}, [say(f"Left out: {error}")]
     contents = dict(files)
     lines = [say(f"Note: {remark}") for remark in (*remarks, *other_marks(artwork.marks, asked))]
     shops = {each.file_name for each in asked if each.spots}  # they have print and cut in one
     for side, seen, sheet in sides:
-        made, doubts = checked_files(sheet.pattern, asked, oversize=oversize)
+        try:
+            made, doubts = checked_files(sheet.pattern, asked, oversize=oversize)
+        except ExportError as error:  # the print is as good as it is
+            lines.append(say(f"Left out: {error}"))
+            continue
         contents |= {f"print-{side}{name}": content for name, content in made.items() if name not in shops}
         lines += [say(f"Check, {seen}: {doubt}" if seen else f"Check: {doubt}") for doubt in doubts]
     size, dpi = size_text(*sides[0][2].size), number_text(sides[0][2].dpi)

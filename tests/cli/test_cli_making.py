@@ -116,6 +116,7 @@ def test_a_machine_has_its_marks(folder: Path, capsys: pytest.CaptureFixture[str
         (["--artwork", "nowhere.png"], "nowhere.png"),
         (["--nest", "a x b x c"], "500mmx700mm"),
         (["--nest", "50mm"], "does not fit"),
+        (["--artwork", "grey.png", "--dpi", "1"], "dots per inch"),
         (["--artwork", "grey.png", "--marks-for", "oracle"], "no machine"),
     ],
 )

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.errors import MarksError
 from BalloonWorkbench.core.geometry.polyline import bounds
 from BalloonWorkbench.core.geometry.vectors import direction
 from BalloonWorkbench.core.machines.marks.style import (
@@ -66,7 +66,7 @@ class _Frame:
 def marked(sheet: Pattern, marks: Marks = CROSSES) -> Pattern:
     """The sheet with the marks (REGISTRATION) round it, in the place of any that it has, and its page.
 
-    The page of three crosses is as large as what is on it. InputError where they do not fit on the page.
+    The page of three crosses is as large as what is on it. MarksError where they do not fit on the page.
     """
     own = replace(
         sheet,
@@ -83,14 +83,14 @@ def marked(sheet: Pattern, marks: Marks = CROSSES) -> Pattern:
 def marked_back(sheet: Pattern, marks: Marks = CROSSES) -> Pattern:
     """The back of a marked sheet: a machine's marks stand there as on the front, those for the eye mirrored.
 
-    So film that is cut by eye is never taken for the other side. InputError as for `marked`.
+    So film that is cut by eye is never taken for the other side. MarksError as for `marked`.
     """
     back = back_of(sheet)
     return back if marks.are_seen else marked(back, marks)
 
 
 def _frame(sheet: Pattern, marks: Marks) -> tuple[_Frame, _Frame]:
-    """Where the marks stand, and the page. InputError where these are too small for the sheet."""
+    """Where the marks stand, and the page. MarksError where these are too small for the sheet."""
     print_ = _Frame(*sheet.bounds)
     beyond = marks.inset + _outside(marks)
     if marks.page is None:
@@ -104,7 +104,7 @@ def _frame(sheet: Pattern, marks: Marks) -> tuple[_Frame, _Frame]:
         frame = page.wider(-beyond)
         room = frame.size - 2.0 * (marks.clear + _inside(marks))
         if (print_.size > room + _HAIR).any():
-            raise InputError(
+            raise MarksError(
                 f"The print measures {size_text(*print_.size)}, and between the marks of {marks.owner[0]}"
                 f" there are {size_text(*np.maximum(room, 0.0))} on paper of {size_text(*marks.page)}: make"
                 " the balloon smaller, or give larger paper as page_mm of the marks in a file of your"
@@ -112,7 +112,7 @@ def _frame(sheet: Pattern, marks: Marks) -> tuple[_Frame, _Frame]:
             )
     if marks.most is not None and (frame.size > np.array(marks.most) + _HAIR).any():
         what = "The print measures" if marks.style == NONE else "Round the print the marks span"
-        raise InputError(
+        raise MarksError(
             f"{what} {size_text(*frame.size)}, and {marks.owner[0]} takes at most {size_text(*marks.most)}:"
             " make the balloon smaller, or print and cut it on another machine."
         )
@@ -197,7 +197,7 @@ def _squares(frame: _Frame, marks: Marks) -> Iterator[Contour]:
     if marks.bar:
         left, right = frame.low[0] + half + _BAR_GAP, frame.high[0] - half - _BAR_GAP
         if right - left < marks.bar:
-            raise InputError(
+            raise MarksError(
                 f"The bar of {marks.owner[0]} does not fit between marks that are"
                 f" {length_text(float(frame.size[0]))} apart: make the balloon larger, or print several"
                 " beside each other."
@@ -235,9 +235,9 @@ def _areas(contours: Sequence[Contour], clear: float) -> list[Any]:
 
 
 def _hold_clear(sheet: Pattern, areas: list[Any], marks: Marks) -> None:
-    """InputError where a mark has print or pattern beside it."""
+    """MarksError where a mark has print or pattern beside it."""
     if areas and _meets(sheet, areas):
-        raise InputError(
+        raise MarksError(
             f"The print reaches into the marks of {marks.owner[0]}, or comes nearer than"
             f" {length_text(marks.clear)}: make the balloon smaller, or give larger paper as page_mm of the"
             " marks in a file of your machine."
