@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from itertools import combinations, product
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -176,12 +176,12 @@ def _free(bed: _Bed) -> Any:
 def _farthest(bed: _Bed, waste: Any) -> tuple[float, tuple[Floats, ...]]:
     """The two corners of the waste film on a bed that are farthest apart, and how far that is."""
     corners = shapely().get_coordinates(waste.intersection(_free(bed)).convex_hull)
-    best: tuple[float, tuple[Floats, ...]] = (0.0, ())
-    for a, b in combinations(np.unique(np.round(corners, 3), axis=0), 2):
-        apart = float(np.hypot(*(b - a)))
-        if apart > best[0]:
-            best = apart, (a, b)
-    return best
+    corners = np.unique(np.round(corners, 3), axis=0)
+    if len(corners) < 2:
+        return 0.0, ()
+    apart = np.linalg.norm(corners[:, None] - corners[None], axis=2)
+    first, second = np.unravel_index(int(apart.argmax()), apart.shape)
+    return float(apart[first, second]), (corners[first], corners[second])
 
 
 def _file(drawing: Toolpaths, bed: _Bed, crosses: list[_Cross]) -> Toolpaths:
