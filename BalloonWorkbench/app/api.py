@@ -169,11 +169,11 @@ def export(
     """Write a pattern, or all of a group, to a DXF or SVG file, or as a machine reads it; returns the file.
 
     A pattern larger than the machine's bed (`bed` gives another one, such as "600 x 400 mm", "600 mm" for a
-    roll, or "none") is refused; with oversize "write" it is written all the same, with "scale" the balloon is
-    made smaller until it fits. With tabs of a width such as "0.4 mm" pieces stay in the film, only those no
-    larger than tabs_below, such as "50 mm", where that is given. Given a Balloon object it writes what the
-    film does everywhere, as .vtu, .npz or .stl; given an artwork, all its files into a folder. Raises
-    ExportError.
+    roll, or "none") is refused; with oversize "write" it is written all the same, with "split" in several
+    files between which the film is moved, with "scale" the balloon is made smaller until it fits. With tabs
+    of a width such as "0.4 mm" pieces stay in the film, only those no larger than tabs_below, such as
+    "50 mm", where that is given. Given a Balloon object it writes what the film does everywhere, as .vtu,
+    .npz or .stl; given an artwork, all its files into a folder. Raises ExportError.
     """
     from BalloonWorkbench.app import artwork as prints
 

@@ -60,12 +60,12 @@ class ArtworkProxy(DocumentProxy):
 
     def cut_pattern(self, obj):
         """What a cutter gets for the side that is shown: the panel, the print's border and the marks."""
-        from BalloonWorkbench.core.pattern.placement import back_of
+        from BalloonWorkbench.core.machines.marks.place import marked_back
 
         if has_many_panels(obj.Pattern.Balloon):
             return panel_prints.pattern(obj)
         front = _marked(obj)
-        return back_of(front) if obj.Side == BACK else front
+        return marked_back(front, marks_of(obj)) if obj.Side == BACK else front
 
 
 def make(pattern_obj, picture: str = "", back: str = ""):
@@ -148,19 +148,20 @@ def _printing(obj, dpi: float):
 
     from BalloonWorkbench.app.pattern import build
     from BalloonWorkbench.app.properties.quantities import metres
-    from BalloonWorkbench.core.artwork.marks import bordered
+    from BalloonWorkbench.core.artwork.border import bordered
 
     inflation, _ = film_result.stored(obj.Pattern.Balloon)
     front, behind = _pictures(obj)
     own = bordered(build(obj.Pattern), metres(obj.Bleed))
     one = Print(inflation, own, np.zeros(2), front, behind)
-    return partial(artwork_sheets, [one], _marked(obj), dpi)
+    return partial(artwork_sheets, [one], _marked(obj), dpi, marks_of(obj))
 
 
 def write(obj, folder, machine_names=("any-dxf", "any-svg")) -> list[Path]:
     """Write both sides as PNG and PDF, and what cutters read, with the same marks; returns the files.
 
-    Without matplotlib there is no PDF. A machine that cannot make it is left out: the report view tells.
+    The machine that the marks are for has its own files too. Without matplotlib there is no PDF. A machine
+    that cannot make it is left out: the report view tells.
     Raises ExportError, and writes nothing, when something is not up to date or cannot be made.
     """
     import FreeCAD as App
@@ -172,16 +173,19 @@ def write(obj, folder, machine_names=("any-dxf", "any-svg")) -> list[Path]:
     from BalloonWorkbench.core.machines.machine_file import checked_files
 
     printing, many = _printing(obj, obj.Resolution), has_many_panels(obj.Pattern.Balloon)
+    machines = [machine(name) for name in dict.fromkeys((*machine_names, obj.MarksFor.strip())) if name]
+    shops = {each.file_name for each in machines if each.spots}  # they have print and cut in one
     doubts: list[str] = []
 
     def made(_progress) -> dict[str, bytes]:
         sides = dict(zip(("artwork-front", "artwork-back"), printing()))
         if many:
             sides = {"artwork": sides["artwork-front"]}
-        contents, _ = sheet_files(sides)
+        contents, _ = sheet_files(sides, machines)
         for side, sheet in sides.items():
-            cut, remarks = checked_files(sheet.pattern, [machine(name) for name in machine_names])
-            contents |= {f"{side.replace('artwork', 'print')}-{name}": each for name, each in cut.items()}
+            cut, remarks = checked_files(sheet.pattern, machines)
+            kept = {name: content for name, content in cut.items() if name not in shops}
+            contents |= {f"{side.replace('artwork', 'print')}-{name}": each for name, each in kept.items()}
             doubts.extend(remarks)
         return contents
 
@@ -210,9 +214,17 @@ def show(obj, pattern) -> None:
 def _marked(obj):
     from BalloonWorkbench.app.pattern import build
     from BalloonWorkbench.app.properties.quantities import metres
-    from BalloonWorkbench.core.artwork.marks import bordered, marked
+    from BalloonWorkbench.core.artwork.border import bordered
+    from BalloonWorkbench.core.machines.marks.place import marked
 
-    return marked(bordered(build(obj.Pattern), metres(obj.Bleed)))
+    return marked(bordered(build(obj.Pattern), metres(obj.Bleed)), marks_of(obj))
+
+
+def marks_of(obj):
+    """The registration marks round an artwork. InputError where there is no such machine."""
+    from BalloonWorkbench.core.machines.marks.choose import marks_for
+
+    return marks_for(obj.MarksFor.strip())
 
 
 def _pictures(obj):

@@ -89,6 +89,7 @@ def ways_on(balloon: Balloon | FinishedBags, machines: Sequence[Machine]) -> lis
     if all(fits(sheet.of_stock(stock), each) for stock in sheet.stocks for each in machines):
         return []
     return [
-        "--oversize scale makes the balloon smaller until it fits, --oversize write writes the file"
-        " anyway, --bed tells how large the bed is."
+        "--oversize scale makes the balloon smaller until it fits, --oversize split writes several files"
+        " between which the film is moved, --oversize write writes the file anyway, --bed tells how large the"
+        " bed is."
     ]

@@ -11,11 +11,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from BalloonWorkbench.cli.console import readable
-from BalloonWorkbench.core.errors import ExportError, InputError
+from BalloonWorkbench.core.errors import ExportError, InputError, MarksError
 from BalloonWorkbench.core.job import Balloon
 from BalloonWorkbench.core.language.speech import chosen_language
-from BalloonWorkbench.core.machines.machine import ANY, Machine, machines
+from BalloonWorkbench.core.machines.machine import ANY, Machine, machine, machines
 from BalloonWorkbench.core.machines.machine_file import checked_files, file_of_stock
+from BalloonWorkbench.core.machines.marks.choose import marks_for, other_marks
 from BalloonWorkbench.core.options.making import HTML
 from BalloonWorkbench.core.tracing.picture_file import decode, picture_size
 from BalloonWorkbench.core.types import Attempt, Progress, Say
@@ -93,34 +94,33 @@ def checked(
 def _print(
     balloon: Balloon | FinishedBags, artwork: Artwork, asked: Sequence[Machine], oversize: str, say: Say
 ) -> tuple[dict[str, bytes], list[str]]:
+    """What is printed and cut; a line says why not where the marks do not fit round the print."""
     from BalloonWorkbench.core.bag_job import FinishedBags
-    from BalloonWorkbench.core.products import print_files
+    from BalloonWorkbench.core.products import bag_print, print_files
 
-    if isinstance(balloon, FinishedBags):
-        return _print_bags(balloon, artwork, asked, oversize, say)
-    files, remarks, front, back = print_files(balloon, artwork)
+    try:
+        if isinstance(balloon, FinishedBags):
+            files, remarks, sheet = bag_print(balloon, artwork, asked)
+            sides = [("", "", sheet)]
+        else:
+            files, remarks, front, back = print_files(balloon, artwork, asked)
+            sides = [("front-", say("front"), front), ("back-", say("back"), back)]
+    except MarksError as error:
+        return {}, [say(f"Left out: {error}")]
     contents = dict(files)
-    lines = [say(f"Note: {remark}") for remark in remarks]
-    for side, seen, sheet in (("front", say("front"), front), ("back", say("back"), back)):
-        made, doubts = checked_files(sheet.pattern, asked, oversize=oversize)
-        contents |= {f"print-{side}-{name}": content for name, content in made.items()}
-        lines += [say(f"Check, {seen}: {doubt}") for doubt in doubts]
-    width, height = front.size
-    lines.append(say(f"Print {size_text(width, height)} at {number_text(front.dpi)} dpi, front and back"))
+    lines = [say(f"Note: {remark}") for remark in (*remarks, *other_marks(artwork.marks, asked))]
+    shops = {each.file_name for each in asked if each.spots}  # they have print and cut in one
+    for side, seen, sheet in sides:
+        try:
+            made, doubts = checked_files(sheet.pattern, asked, oversize=oversize)
+        except ExportError as error:  # the print is as good as it is
+            lines.append(say(f"Left out: {error}"))
+            continue
+        contents |= {f"print-{side}{name}": content for name, content in made.items() if name not in shops}
+        lines += [say(f"Check, {seen}: {doubt}" if seen else f"Check: {doubt}") for doubt in doubts]
+    size, dpi = size_text(*sides[0][2].size), number_text(sides[0][2].dpi)
+    lines.append(say(f"Print {size} at {dpi} dpi, {'front and back' if len(sides) > 1 else 'all panels'}"))
     return contents, lines
-
-
-def _print_bags(
-    bags: FinishedBags, artwork: Artwork, asked: Sequence[Machine], oversize: str, say: Say
-) -> tuple[dict[str, bytes], list[str]]:
-    from BalloonWorkbench.core.products import bag_print
-
-    files, remarks, sheet = bag_print(bags, artwork)
-    made, doubts = checked_files(sheet.pattern, asked, oversize=oversize)
-    lines = [*(say(f"Note: {remark}") for remark in remarks), *(say(f"Check: {doubt}") for doubt in doubts)]
-    width, height = sheet.size
-    lines.append(say(f"Print {size_text(width, height)} at {number_text(sheet.dpi)} dpi, all panels"))
-    return files | {f"print-{name}": content for name, content in made.items()}, lines
 
 
 def _artwork(options: argparse.Namespace, reader: Callable[[Path], Any]) -> Artwork | None:
@@ -135,7 +135,9 @@ def _artwork(options: argparse.Namespace, reader: Callable[[Path], Any]) -> Artw
         picture_size(path)
     front, *back = (reader(path) for path in paths)
     traced = Path(options.input).exists() and paths[0].read_bytes() == Path(options.input).read_bytes()
-    return Artwork(front, traced, back[0] if back else None, options.dpi, options.bleed, options.drawn_as)
+    marks = marks_for(options.marks_for, [machine(name) for name in options.machine])
+    behind = back[0] if back else None
+    return Artwork(front, traced, behind, options.dpi, options.bleed, options.drawn_as, marks)
 
 
 def _film(options: argparse.Namespace) -> tuple[Stock, list[Remnant]] | None:

@@ -20,6 +20,10 @@ class OutlineError(InputError):
     """The outline is open, crosses itself, is empty or too thin."""
 
 
+class MarksError(InputError):
+    """Registration marks do not fit round a print, or a print is too large for its machine."""
+
+
 class AssemblyError(InputError):
     """The panels and seams of a balloon do not fit together."""
 

@@ -13,9 +13,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from BalloonWorkbench.core.artwork.border import BLEED, bordered
 from BalloonWorkbench.core.artwork.carry import VisibleFilm
 from BalloonWorkbench.core.artwork.files import artwork_files, sheet_files
-from BalloonWorkbench.core.artwork.marks import BLEED, bordered, marked
 from BalloonWorkbench.core.artwork.picture import Picture, Pixels, covering, mirrored, of_drawing
 from BalloonWorkbench.core.artwork.sheet import DPI, Print, Sheet, artwork_sheets, one_sheet
 from BalloonWorkbench.core.artwork.wrap import faces_away, wrapped
@@ -31,6 +31,8 @@ from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.geometry.polyline import bounds, signed_area
 from BalloonWorkbench.core.job import Balloon, Part
 from BalloonWorkbench.core.machines.machine import Machine
+from BalloonWorkbench.core.machines.marks.place import marked
+from BalloonWorkbench.core.machines.marks.style import CROSSES, Marks
 from BalloonWorkbench.core.making.bag_numbers import bag_pieces
 from BalloonWorkbench.core.making.numbers import Numbers
 from BalloonWorkbench.core.nesting.layout import Layout, Piece, Stock
@@ -52,6 +54,7 @@ class Artwork:
     front  pixels (h, w, 4); traced: it is the picture that was drawn, and lies where its shapes are
     back   another picture for the back, as it is seen from there; None for the front's, seen through
     dpi    resolution; bleed past the cut [m]; drawn_as: how a traced picture was read
+    marks  by which a machine finds the print again
     """
 
     front: Pixels
@@ -60,6 +63,7 @@ class Artwork:
     dpi: float = DPI
     bleed: float = BLEED
     drawn_as: str = AUTO
+    marks: Marks = CROSSES
 
 
 def printed(
@@ -67,7 +71,7 @@ def printed(
 ) -> tuple[Sheet, Sheet]:
     """Front and back of balloons; drawing: lower left corner (2,) and size (2,) of all that was drawn [m].
 
-    Raises what artwork_sheets and of_drawing raise.
+    Raises what artwork_sheets, of_drawing and marked raise.
     """
     front, behind = pictures_of(drawing, artwork)
     own = [bordered(pattern, artwork.bleed) for pattern in patterns]
@@ -82,7 +86,7 @@ def printed(
         Print(design.inflation, pattern, shift, front, behind)
         for design, pattern, shift in zip(designs, moved, shifts, strict=True)
     ]
-    return artwork_sheets(prints, marked(whole), artwork.dpi)
+    return artwork_sheets(prints, marked(whole, artwork.marks), artwork.dpi, artwork.marks)
 
 
 def pictures_of(drawing: tuple[Floats, Floats], artwork: Artwork) -> tuple[Picture, Picture | None]:
@@ -105,19 +109,26 @@ def box_of(balloon: Balloon) -> tuple[Floats, Floats]:
     return low, high - low
 
 
-def print_files(balloon: Balloon, artwork: Artwork) -> tuple[dict[str, bytes], tuple[str, ...], Sheet, Sheet]:
-    """Contents of the files to print by name, remarks, and both sheets: their patterns are what is cut."""
+def print_files(
+    balloon: Balloon, artwork: Artwork, machines: Sequence[Machine] = ()
+) -> tuple[dict[str, bytes], tuple[str, ...], Sheet, Sheet]:
+    """Contents of the files to print by name, remarks, and both sheets: their patterns are what is cut.
+
+    machines  as for `artwork_files`. Raises what `printed` raises.
+    """
     front, back = printed(balloon.designs, balloon.patterns, box_of(balloon), artwork)
-    return (*artwork_files(front, back), front, back)
+    return (*artwork_files(front, back, machines), front, back)
 
 
-def bag_print(bags: FinishedBags, artwork: Artwork) -> tuple[dict[str, bytes], tuple[str, ...], Sheet]:
+def bag_print(
+    bags: FinishedBags, artwork: Artwork, machines: Sequence[Machine] = ()
+) -> tuple[dict[str, bytes], tuple[str, ...], Sheet]:
     """Contents of the files to print by name, remarks, and the sheet, whose pattern is what is cut.
 
     The picture is wrapped round each balloon, see artwork/wrap.py; that of the back is on what faces away.
-    Raises what one_sheet raises.
+    machines  as for `artwork_files`. Raises what one_sheet and marked raise.
     """
-    own, whole = panels_to_print(bags.parts, artwork.bleed)
+    own, whole = panels_to_print(bags.parts, artwork.bleed, artwork.marks)
     laid = iter(own)
     prints, films = [], []
     for part in bags.parts:
@@ -126,7 +137,7 @@ def bag_print(bags: FinishedBags, artwork: Artwork) -> tuple[dict[str, bytes], t
             prints.append(Print(part.design.inflation, pattern, shift, picture))
             films.append(film)
     sheet = one_sheet(prints, films, whole, artwork.dpi)
-    return (*sheet_files({"artwork": sheet}), sheet)
+    return (*sheet_files({"artwork": sheet}, machines), sheet)
 
 
 def pictures_on(
@@ -139,9 +150,11 @@ def pictures_on(
     return [(film, behind if back else front) for film, back in zip(seen, away, strict=True)]
 
 
-def panels_to_print(parts: Sequence[BagPart], bleed: float) -> tuple[list[tuple[Pattern, Floats]], Pattern]:
+def panels_to_print(
+    parts: Sequence[BagPart], bleed: float, marks: Marks = CROSSES
+) -> tuple[list[tuple[Pattern, Floats]], Pattern]:
     """The panels of balloons side by side with the border of their print, each with its shift (2,) m, and all
-    of them as one pattern with marks.
+    of them as one pattern with marks. Raises what marked raises.
     """
     own = [bordered(pattern, bleed) for part in parts for pattern in _flat(part.patterns)]
     shifts = in_rows([pattern.bounds for pattern in own])
@@ -152,7 +165,7 @@ def panels_to_print(parts: Sequence[BagPart], bleed: float) -> tuple[list[tuple[
         intake=None,
         seam_length=sum(part.patterns.seam_length for part in parts),
     )
-    return laid, marked(whole)
+    return laid, marked(whole, marks)
 
 
 def _pictures(bags: FinishedBags, artwork: Artwork, low: Floats, size: Floats) -> tuple[Picture, Picture]:

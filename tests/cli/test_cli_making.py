@@ -88,6 +88,27 @@ def test_without_a_machine_the_cut_files_are_for_any_program(folder: Path) -> No
     assert (folder / "out" / "assembly.pdf").read_bytes().startswith(b"%PDF")
 
 
+def test_a_machine_has_its_marks(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Those of the first machine that looks for any; the others are told, also the one that does not fit."""
+    grey = ("--artwork", str(folder / "grey.png"), "--dpi", "40")
+    more = (word for name in ("lightburn", "silhouette-inkscape", "zuend") for word in ("--machine", name))
+    assert run(folder, "one.json", *grey, "--machine", "print-and-cut-pdf", *more) == 0
+    told = capsys.readouterr().out
+    out = folder / "out"
+    text = (out / "print-back-pattern-silhouette-inkscape.svg").read_text(encoding="utf-8")
+    assert 'width="210mm" height="297mm"' in text
+    assert 'id="Regmarks"' in text
+    assert "The print has the marks of Silhouette from Inkscape, and Zünd Cut Center (flat bed) looks" in told
+    assert "Print 210 x 297 mm at 40 dpi, front and back" in told
+    assert b"/CutContour" in (out / "artwork-print-and-cut-pdf.pdf").read_bytes()
+    assert not list(out.glob("print-*.pdf"))
+    assert (out / "print-front-pattern-lightburn_mm.dxf").is_file()
+    assert run(folder, "one.json", *grey, "--machine", "cricut", "--bleed", "50mm") == 0
+    told = capsys.readouterr().out
+    assert "Left out: The print measures" in told
+    assert (out / "report.json").is_file()
+
+
 @pytest.mark.parametrize(
     ("options", "text"),
     [
@@ -96,6 +117,7 @@ def test_without_a_machine_the_cut_files_are_for_any_program(folder: Path) -> No
         (["--nest", "a x b x c"], "500mmx700mm"),
         (["--nest", "50mm"], "does not fit"),
         (["--artwork", "grey.png", "--dpi", "1"], "dots per inch"),
+        (["--artwork", "grey.png", "--marks-for", "oracle"], "no machine"),
     ],
 )
 def test_mistakes_are_one_line(

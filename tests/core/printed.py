@@ -5,10 +5,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from BalloonWorkbench.core.artwork.marks import bordered, marked
+from BalloonWorkbench.core.artwork.border import bordered
 from BalloonWorkbench.core.artwork.picture import Picture, carried_on
 from BalloonWorkbench.core.artwork.sheet import Print, Sheet, artwork_sheets
 from BalloonWorkbench.core.geometry.raster import nearest_covers
+from BalloonWorkbench.core.machines.marks.place import marked
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pattern.pattern import Pattern

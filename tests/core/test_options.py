@@ -17,7 +17,7 @@ import pytest
 from test_house import tree
 
 from BalloonWorkbench.cli.options import help_text, parser, typed
-from BalloonWorkbench.core.artwork.marks import BLEED
+from BalloonWorkbench.core.artwork.border import BLEED
 from BalloonWorkbench.core.artwork.sheet import DPI
 from BalloonWorkbench.core.assembly_sheet.page import PAGES
 from BalloonWorkbench.core.film.filling import Filling, gases

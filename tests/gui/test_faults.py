@@ -249,7 +249,7 @@ FIRST = {
     picture: "core.tracing.segment.segment",
     pattern_panel: "core.pattern.make.make_pattern",
     export: "core.machines.machine_file.machine_file",
-    prints: "core.artwork.marks.marked",
+    prints: "core.machines.marks.place.marked",
     nesting: "core.nesting.nest.nest",
     assembly: "core.assembly_sheet.page.assembly_pdf",
     advice: "core.advice.advise.advise",

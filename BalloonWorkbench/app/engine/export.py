@@ -6,6 +6,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from BalloonWorkbench.app import host
+from BalloonWorkbench.app.document.kinds import is_artwork
 from BalloonWorkbench.app.engine.bed import scale_to_bed
 from BalloonWorkbench.app.engine.cut_sheet import insist_on_ready, patterns_in, sheet
 from BalloonWorkbench.core.errors import ExportError, InputError
@@ -45,7 +46,7 @@ def check_for(pattern_obj, machine_name: str, bed=None, oversize: str = "refuse"
     def findings(_progress) -> list:
         return [finding for part in parts for finding in preflight(part, made_for, oversize)]
 
-    both = (*_film_findings(pattern_obj, made_for), *hooks.run_blocking("Checking the pattern", findings))
+    both = (*_other_findings(pattern_obj, made_for), *hooks.run_blocking("Checking the pattern", findings))
     each_once = {finding.text: finding for finding in both}.values()
     return tuple(sorted(each_once, key=lambda finding: finding.severity != ERROR))
 
@@ -61,13 +62,22 @@ def _machine(name: str, bed: str | None, tabs: str | None, tabs_below: str | Non
     return with_tabs(machine(name, bed), TabOptions(width or 0.0, below or None))
 
 
-def _film_findings(pattern_obj, made_for) -> tuple:
-    """What the machine does that the films of the patterns do not take: the core's findings."""
+def _other_findings(pattern_obj, made_for) -> tuple:
+    """What the machine does that the films of the patterns do not take, and marks of a print that it does not
+    look for: the core's findings.
+    """
     from BalloonWorkbench.app.properties import film
-    from BalloonWorkbench.core.machines.preflight import film_preflight
+    from BalloonWorkbench.core.machines.marks.choose import marks_for, other_marks
+    from BalloonWorkbench.core.machines.preflight import WARNING, PreflightFinding, film_preflight
 
     films = dict.fromkeys(film.read(obj.Balloon) for obj in patterns_in(pattern_obj))
-    return tuple(finding for each in films for finding in film_preflight(each, made_for))
+    marks = (
+        other_marks(marks_for(pattern_obj.MarksFor.strip()), [made_for]) if is_artwork(pattern_obj) else ()
+    )
+    return (
+        *(finding for each in films for finding in film_preflight(each, made_for)),
+        *(PreflightFinding(WARNING, sentence) for sentence in marks),
+    )
 
 
 def files_of(pattern_obj, path) -> list[Path]:
@@ -96,14 +106,21 @@ def export_for(
     What is cut from another film than the balloon's goes into a file of its own beside it.
     paper divides a PDF into pages of "A4", "A3" or "Letter"; bed is another one than in the machine's file,
     such as "600 x 400 mm", "600 mm" for a roll, or "none". A pattern that is larger is refused; with oversize
-    "write" it is written all the same, with "scale" the balloon is made smaller first, see `scale_to_bed`.
-    tabs of a width such as "0.4 mm" hold pieces in the film, only those below a size with tabs_below "50 mm".
+    "write" it is written all the same, with "split" in several files ("-2" and so on beside the first), with
+    "scale" the balloon is made smaller first, see `scale_to_bed`. tabs of a width such as "0.4 mm" hold
+    pieces in the film, only those below a size with tabs_below "50 mm".
     Raises ExportError, and writes nothing, when the machine cannot make the pattern.
     """
     from BalloonWorkbench.app.border import hooks
     from BalloonWorkbench.core.files.write import write_files
     from BalloonWorkbench.core.machines.bed import OVERSIZE, SCALE
-    from BalloonWorkbench.core.machines.machine_file import file_of_stock, machine_file
+    from BalloonWorkbench.core.machines.machine_file import (
+        drawing_file,
+        drawings,
+        file_of_stock,
+        machine_file,
+        numbered_file,
+    )
     from BalloonWorkbench.core.machines.preflight import ERROR, preflight
 
     if oversize not in OVERSIZE:
@@ -113,7 +130,7 @@ def export_for(
     if oversize == SCALE:
         scale_to_bed(pattern_obj, machine_name, bed)
     made_for, pattern = _machine(machine_name, bed, tabs, tabs_below), sheet(pattern_obj)
-    doubts = _film_findings(pattern_obj, made_for)
+    doubts = _other_findings(pattern_obj, made_for)
     path = Path(target)
     if path.is_dir():
         path = path / made_for.file_name
@@ -126,7 +143,11 @@ def export_for(
                 if finding.severity == ERROR:
                     raise ExportError(finding.text)
             name = file_of_stock(path.name, stock) if number else path.name
-            files[name] = machine_file(part, made_for, paper, hooks.say)
+            if paper is not None:
+                files[name] = machine_file(part, made_for, paper, hooks.say)
+                continue
+            for place, drawing in enumerate(drawings(part, made_for, oversize), 1):
+                files[numbered_file(name, place)] = drawing_file(drawing, made_for, None, hooks.say)
         return files
 
     write_files(path.parent, hooks.run_blocking(f"Writing {path.name}", contents))
@@ -146,7 +167,10 @@ def tool_paths(
     from BalloonWorkbench.core.machines.preflight import ERROR
     from BalloonWorkbench.core.machines.toolpaths import draw
     from BalloonWorkbench.core.machines.writers.moves import moves
+    from BalloonWorkbench.core.options.making import SPLIT
 
+    if oversize == SPLIT:
+        raise ExportError("Tool paths are not split over beds: write the G-code, or choose a larger bed.")
     made_for, pattern = _machine(machine_name, bed, tabs, tabs_below), sheet(pattern_obj)
     for finding in check_for(pattern_obj, machine_name, bed, oversize, tabs, tabs_below):
         if finding.severity == ERROR:

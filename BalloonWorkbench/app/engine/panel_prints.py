@@ -14,6 +14,7 @@ def chosen(obj) -> tuple:
     from BalloonWorkbench.app.outline import DRAWN_AS
     from BalloonWorkbench.app.properties.quantities import metres
     from BalloonWorkbench.core.errors import InputError
+    from BalloonWorkbench.core.machines.marks.choose import marks_for
     from BalloonWorkbench.core.products import Artwork
 
     source = leader(obj.Pattern.Balloon.Outline)
@@ -29,6 +30,7 @@ def chosen(obj) -> tuple:
         pixels_of(file_of(obj.BackPicture)) if obj.BackPicture else None,
         obj.Resolution,
         metres(obj.Bleed),
+        marks=marks_for(obj.MarksFor.strip()),
         **({"drawn_as": DRAWN_AS[source.DrawnAs]} if own else {}),
     )
 
@@ -84,6 +86,8 @@ def printed(bags, artwork, dpi: float) -> tuple:
 def pattern(obj):
     """What a cutter gets: all panels, the border of their print and marks."""
     from BalloonWorkbench.app.properties.quantities import metres
+    from BalloonWorkbench.core.machines.marks.choose import marks_for
     from BalloonWorkbench.core.products import panels_to_print
 
-    return panels_to_print(_finished(obj).parts, metres(obj.Bleed))[1]
+    marks = marks_for(obj.MarksFor.strip())
+    return panels_to_print(_finished(obj).parts, metres(obj.Bleed), marks)[1]

@@ -17,19 +17,21 @@ from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.geometry.crossings import crossed_at
 from BalloonWorkbench.core.geometry.polyline import bounds
 from BalloonWorkbench.core.geometry.vectors import foot
+from BalloonWorkbench.core.machines.marks.place import marked_back
+from BalloonWorkbench.core.machines.marks.style import CROSSES, Marks
 from BalloonWorkbench.core.options.making import ArtworkOptions
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 from BalloonWorkbench.core.pattern.placement import back_of
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.types import Bools, Floats, Ints
-from BalloonWorkbench.core.units import INCH, from_mm, number_text
+from BalloonWorkbench.core.units import INCH, number_text
 
 DPI = ArtworkOptions.dpi
 _LEAST_DPI, _MOST_DPI = 20.0, 2400.0
 #: More pixels than that are a mistake, or more than most programs open.
 _MOST_PIXELS = 300_000_000
-#: White paper round the outermost line [m].
-_BORDER = from_mm(2.0)
+#: White paper round the outermost line of a pattern that has no page [m].
+_BORDER = CROSSES.inset
 _STRIP = 4_000_000  # pixels worked on in one go
 
 
@@ -72,27 +74,30 @@ class Print:
     behind: Picture | None = None
 
 
-def artwork_sheets(prints: Sequence[Print], pattern: Pattern, dpi: float = DPI) -> tuple[Sheet, Sheet]:
+def artwork_sheets(
+    prints: Sequence[Print], pattern: Pattern, dpi: float = DPI, marks: Marks = CROSSES
+) -> tuple[Sheet, Sheet]:
     """The front and the back of balloons whose patterns make one sheet.
 
-    pattern  that sheet: all patterns of the prints, and the marks
+    pattern  that sheet: all patterns of the prints, marked with these marks
     The back is mirrored: printed side up, it is cut from the mirrored pattern and laid on the front with its
-    printed side down. InputError for a resolution that makes no sense.
+    printed side down. A machine's marks stand there as on the front. InputError for a resolution that makes
+    no sense, and for marks that do not fit on the back.
     """
-    frame = _frame(pattern, dpi)
-    marks = pattern.of(Role.REGISTRATION)
-    faces = _side(frame, marks, [(one, front(one.inflation), one.picture) for one in prints])
+    frame, other = _frame(pattern, dpi), marked_back(pattern, marks)
+    faces = _side(frame, [(one, front(one.inflation), one.picture) for one in prints])
     if all(one.behind is None and one.inflation.lower is None for one in prints):
-        behind = faces
+        behind = faces if marks.are_seen else faces.copy()
     else:
-        behind = _side(
-            frame, marks, [(one, back(one.inflation), one.behind or one.picture) for one in prints]
-        )
+        behind = _side(frame, [(one, back(one.inflation), one.behind or one.picture) for one in prints])
+    _draw_marks(faces, frame, pattern)
+    if behind is not faces:
+        _draw_marks(behind, frame, back_of(other))  # as they lie before the sheet is turned over
     low = frame.low
     right = low[0] + frame.width * frame.pixel
     return (
         Sheet(faces, dpi, pattern, low),
-        Sheet(behind[:, ::-1], dpi, back_of(pattern), np.array([-right, low[1]])),
+        Sheet(behind[:, ::-1], dpi, other, np.array([-right, low[1]])),
     )
 
 
@@ -104,8 +109,9 @@ def one_sheet(
     pattern  as in `artwork_sheets`. InputError for a resolution that makes no sense.
     """
     frame = _frame(pattern, dpi)
-    parts = [(one, film, one.picture) for one, film in zip(prints, films, strict=True)]
-    return Sheet(_side(frame, pattern.of(Role.REGISTRATION), parts), dpi, pattern, frame.low)
+    pixels = _side(frame, [(one, film, one.picture) for one, film in zip(prints, films, strict=True)])
+    _draw_marks(pixels, frame, pattern)
+    return Sheet(pixels, dpi, pattern, frame.low)
 
 
 @dataclass(frozen=True)
@@ -139,24 +145,24 @@ def _frame(pattern: Pattern, dpi: float) -> _SheetFrame:
             f"{number_text(dpi)} dots per inch cannot be printed well: give {number_text(_LEAST_DPI)} to"
             f" {number_text(_MOST_DPI)}."
         )
-    width, height = (int(np.ceil((size + 2.0 * _BORDER) * dpi / INCH)) for size in pattern.size)
+    low, high = pattern.page or (pattern.bounds[0] - _BORDER, pattern.bounds[1] + _BORDER)
+    # a page has a margin: what is left of it beyond the last whole pixel stays white
+    whole = np.floor if pattern.page else np.ceil
+    width, height = (int(whole(size * dpi / INCH)) for size in (high - low).tolist())
     if width * height > _MOST_PIXELS:
         raise InputError(
             f"At {number_text(dpi)} dots per inch the sheet would have {width} x {height} pixels: give a"
             " lower"
             " resolution."
         )
-    return _SheetFrame(pattern.bounds[0] - _BORDER, INCH / dpi, width, height)
+    return _SheetFrame(low, INCH / dpi, width, height)
 
 
-def _side(
-    frame: _SheetFrame, marks: Sequence[Contour], parts: Sequence[tuple[Print, VisibleFilm, Picture]]
-) -> Pixels:
+def _side(frame: _SheetFrame, parts: Sequence[tuple[Print, VisibleFilm, Picture]]) -> Pixels:
+    """The prints of a side, without marks."""
     sheet = np.zeros((frame.height, frame.width, 4), dtype=np.uint8)
     for one, film, picture in parts:
         _print(sheet, frame, one, film, picture)
-    for contour in marks:
-        _draw(sheet, frame, contour)
     return sheet
 
 
@@ -226,9 +232,24 @@ def _inside(
     return inside
 
 
+def _draw_marks(sheet: Pixels, frame: _SheetFrame, pattern: Pattern) -> None:
+    for contour in pattern.of(Role.REGISTRATION):
+        (_fill if contour.filled else _draw)(sheet, frame, contour)
+
+
+def _fill(sheet: Pixels, frame: _SheetFrame, contour: Contour) -> None:
+    """Black inside a closed line."""
+    low, high = bounds(contour.points)
+    left, right = (int(np.rint(frame.columns(value))) for value in (low[0], high[0]))
+    top, bottom = (int(np.rint(frame.rows(value))) for value in (high[1], low[1]))
+    left, top = max(left, 0), max(top, 0)
+    right, bottom = min(right + 1, frame.width), min(bottom + 1, frame.height)
+    sheet[top:bottom, left:right][_inside(frame, [contour], left, right, top, bottom)] = (0, 0, 0, 255)
+
+
 def _draw(sheet: Pixels, frame: _SheetFrame, contour: Contour) -> None:
-    """A black line 0.25 mm wide."""
-    half = max(0.5 * from_mm(0.25), 0.5 * frame.pixel)
+    """A black line as wide as those of crosses."""
+    half = max(0.5 * CROSSES.line, 0.5 * frame.pixel)
     for start, end in pairwise(contour.line):
         low, high = np.minimum(start, end) - half, np.maximum(start, end) + half
         left, right = (int(np.ceil(float(value))) for value in frame.columns(np.array([low[0], high[0]])))

@@ -10,14 +10,14 @@ import numpy as np
 
 from BalloonWorkbench.core.errors import ExportError
 from BalloonWorkbench.core.machines.machine import Machine, bed_text
-from BalloonWorkbench.core.machines.toolpaths import BAR, BAR_ROOM, reach
-from BalloonWorkbench.core.options.making import REFUSE, SCALE, WRITE
+from BalloonWorkbench.core.machines.toolpaths import BAR, BAR_ROOM, has_bar, reach
+from BalloonWorkbench.core.options.making import REFUSE, SCALE, SPLIT, WRITE
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
 from BalloonWorkbench.core.pattern.placement import split
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import from_mm
 
-OVERSIZE = (REFUSE, WRITE, SCALE)
+OVERSIZE = (REFUSE, WRITE, SCALE, SPLIT)
 
 #: A pattern is solved again so often until it fits, each time a little below what the last one lets expect.
 _ROUNDS = 8
@@ -30,7 +30,9 @@ def size_on(pattern: Pattern, machine: Machine) -> Floats:
     """Width and height (2,) that a pattern takes on a machine's bed, with bar and room for the tool [m]."""
     low, high = reach(pattern, machine)
     width, height = high - low
-    if machine.control_bar and Role.REGISTRATION in machine.layers:
+    if pattern.page is not None:
+        width, height = np.maximum((width, height), pattern.page[1] - pattern.page[0])
+    if has_bar(pattern, machine):
         width, height = max(width, from_mm(BAR)), height + from_mm(BAR_ROOM)
     return np.array([width, height])
 

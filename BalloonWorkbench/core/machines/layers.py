@@ -5,6 +5,7 @@ how a laser burns a layer, which only the user's own file of a machine says.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -35,8 +36,12 @@ LAYERS = {
     Role.REGISTRATION: Layer(4, "#00ffff"),
 }
 
-#: LightBurn knows so many layers; the last two, T1 and T2, are tool layers.
+#: LightBurn knows so many layers; the last two, T1 and T2, are tool layers: they are only shown.
 PROJECT_LAYERS, TOOL_LAYER = 32, 30
+LINE_TYPES = ("CONTINUOUS", "DASHED")
+_LAYER_NAME = re.compile(r"[A-Za-z0-9_$-]{1,31}")
+_COLOUR = re.compile(r"#[0-9a-f]{6}")
+_SPOT = re.compile(r"[A-Za-z0-9_-]{0,31}")
 
 #: Keys of a layer, and from where to where their values go.
 LASER_KEYS = {
@@ -58,6 +63,28 @@ class LaserSettings:
     max_power: float
     min_power: float | None = None
     passes: int | None = None
+
+
+@dataclass(frozen=True)
+class Line:
+    """How a role is written: layer, AutoCAD colour index, RGB colour, line type, pen of a plotter.
+
+    In a LightBurn project the pen is the number of the layer, and laser how it is burnt, where users say so.
+    In a PDF a spot is the colour of its own by which a print shop's program knows a line.
+    """
+
+    name: str
+    aci: int
+    rgb: str
+    line: str
+    pen: int
+    laser: LaserSettings | None = None
+    spot: str = ""
+
+    @property
+    def is_burnt(self) -> bool:
+        """Whether a LightBurn project burns it: the tool layers are only shown."""
+        return self.pen < TOOL_LAYER
 
 
 def laser_settings(line: Mapping[str, Any], name: str) -> LaserSettings | None:
@@ -110,3 +137,35 @@ def check_laser(layers: Sequence[tuple[str, int, LaserSettings | None]], project
             raise InputError(
                 f"layer {number} of the LightBurn project has two speeds or powers: give its roles one."
             )
+
+
+def layers_of(data: Mapping[str, Mapping[str, Any]]) -> dict[Role, Line]:
+    """The layers that a machine's file describes. InputError for what is none."""
+    if not data:
+        raise InputError("no layer is written: name at least CUT.")
+    layers = {}
+    for key, line in data.items():
+        role = Role(one_of(key, tuple(role.value for role in Role), "layer"))
+        name, rgb = str(line.get("name", role.value)), str(line.get("rgb", LAYERS[role].rgb)).lower()
+        if not _LAYER_NAME.fullmatch(name):
+            raise InputError(f'the layer name "{name}" may have 1 to 31 of A-Z, a-z, 0-9, _, - and $ only.')
+        if not _COLOUR.fullmatch(rgb):
+            raise InputError(f'the colour "{rgb}" is not written like #ff0000.')
+        aci, pen = int(line.get("aci", LAYERS[role].aci)), int(line.get("pen", 1))
+        if not (1 <= aci <= 255 and 1 <= pen <= 255):
+            raise InputError(f"colour index {aci} and pen {pen} of {name} must be from 1 to 255.")
+        dashes = one_of(line.get("line", LINE_TYPES[0]), LINE_TYPES, "line")
+        spot = str(line.get("spot", ""))
+        if not _SPOT.fullmatch(spot):
+            raise InputError(f'the spot colour "{spot}" may have letters, digits, _ and - only.')
+        layers[role] = Line(name, aci, rgb, dashes, pen, laser_settings(line, name), spot)
+    return layers
+
+
+def one_of(value: object, choices: tuple[str, ...], what: str) -> str:
+    """The value, which is one of the choices. InputError for another one."""
+    if value not in choices:
+        raise InputError(
+            f'{what} "{value}" is none of {", ".join(choice or "(empty)" for choice in choices)}.'
+        )
+    return str(value)

@@ -17,14 +17,8 @@ from typing import Any
 from BalloonWorkbench.core.arcs.fit_arcs import TOLERANCE
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.files.data_file import RESOURCES, UNUSABLE, data_files, read_data
-from BalloonWorkbench.core.machines.layers import (
-    LAYERS,
-    TOOL_LAYER,
-    LaserSettings,
-    check_laser,
-    laser_settings,
-    number_in,
-)
+from BalloonWorkbench.core.machines.layers import Line, check_laser, layers_of, number_in, one_of
+from BalloonWorkbench.core.machines.marks.style import CROSSES, Marks, read_marks
 from BalloonWorkbench.core.machines.tool import (
     CONTROLLERS,
     LINUXCNC,
@@ -53,7 +47,6 @@ LIMITS = {
     "tolerance_mm": (0.005, 0.5),
 }  # fmt: skip
 UNITS = {"mm": MILLIMETRE, "in": INCH}
-LINE_TYPES = ("CONTINUOUS", "DASHED")
 #: After so many offsets a knife that came down turned by 175 degrees is 7 degrees off: the tangent of half
 #: the angle falls by e for each.
 _SWING = 6.0
@@ -61,29 +54,7 @@ _SWING = 6.0
 PROCESSES = ("", "laser", "heat-sealing")
 #: What files are about whose name tells no more.
 _PATTERN = "pattern"
-_LAYER_NAME = re.compile(r"[A-Z0-9_$-]{1,31}")
 _FILE_NAME = re.compile(r"[\w .-]{0,60}")
-_COLOUR = re.compile(r"#[0-9a-f]{6}")
-
-
-@dataclass(frozen=True)
-class Line:
-    """How a role is written: layer, AutoCAD colour index, RGB colour, line type, pen of a plotter.
-
-    In a LightBurn project the pen is the number of the layer, and laser how it is burnt, where users say so.
-    """
-
-    name: str
-    aci: int
-    rgb: str
-    line: str
-    pen: int
-    laser: LaserSettings | None = None
-
-    @property
-    def is_burnt(self) -> bool:
-        """Whether a LightBurn project burns it: the tool layers are only shown."""
-        return self.pen < TOOL_LAYER
 
 
 @dataclass(frozen=True)
@@ -103,6 +74,7 @@ class Machine:
     process    one of PROCESSES
     tool       what a machine that reads G-code holds; None for all others
     file       name of its file without the ending, where it is not made from the machine's
+    marks      by which it finds a print again
     remarks    on the machine's file, a sentence each
     tabs       what it leaves of each cut
     """
@@ -127,8 +99,14 @@ class Machine:
     tolerance: float = TOLERANCE
     process: str = ""
     tool: MachineTool | None = None
+    marks: Marks = CROSSES
     remarks: tuple[str, ...] = ()
     tabs: TabOptions = NO_TABS
+
+    @property
+    def spots(self) -> tuple[str, ...]:
+        """The spot colours by which a print shop's program knows what is cut; most machines have none."""
+        return tuple(dict.fromkeys(line.spot for line in self.layers.values() if line.spot))
 
     @property
     def file_name(self) -> str:
@@ -196,9 +174,8 @@ def holding(machine: Machine, wishes: ToolOptions) -> Machine:
     if machine.tool is None:
         return machine
     tool = changed(machine.tool, wishes)
-    layers = (
-        machine.layers if tool.kind == machine.tool.kind else _layers({role.value: {} for role in tool.roles})
-    )
+    same = tool.kind == machine.tool.kind
+    layers = machine.layers if same else layers_of({role.value: {} for role in tool.roles})
     return replace(machine, tool=tool, layers=layers, process=tool.process)
 
 
@@ -273,7 +250,7 @@ _MARK, _NOTCH = "MARK", Role.NOTCH.value
 _KEYS = {
     "name", "title", "note", "format", "version", "unit", "arcs", "bed_mm", "kerf_mm", "knife_offset_mm",
     "overcut_mm", "overrun_mm", "control_bar", "file", "tolerance_mm", "least_radius_mm", "least_gap_mm",
-    "layers", "process", "tool",
+    "layers", "process", "tool", "marks",
 }  # fmt: skip
 
 
@@ -282,7 +259,7 @@ def machine_of(data: dict[str, Any]) -> Machine:
     strange = sorted(set(data) - _KEYS)
     if strange:
         raise InputError(f'nobody knows "{strange[0]}": it may be one of {", ".join(sorted(_KEYS))}.')
-    kind = _one_of(data["format"], tuple(ENDINGS), "format")
+    kind = one_of(data["format"], tuple(ENDINGS), "format")
     tool = _tool(data, kind)
     marked = dict(data["layers"])
     if _NOTCH in marked:
@@ -292,10 +269,10 @@ def machine_of(data: dict[str, Any]) -> Machine:
         title=str(data["title"]),
         note=str(data["note"]),
         format=kind,
-        version=_one_of(data["version"], _VERSIONS[kind], "version"),
-        unit=_one_of(data["unit"], tuple(UNITS), "unit"),
+        version=one_of(data["version"], _VERSIONS[kind], "version"),
+        unit=one_of(data["unit"], tuple(UNITS), "unit"),
         arcs=_truth(data["arcs"], "arcs"),
-        layers=_layers({_NOTCH if key == _MARK else key: line for key, line in marked.items()}),
+        layers=layers_of({_NOTCH if key == _MARK else key: line for key, line in marked.items()}),
         bed=_bed(data["bed_mm"]),
         kerf=_length(data["kerf_mm"], "kerf_mm"),
         knife_offset=_length(data["knife_offset_mm"], "knife_offset_mm"),
@@ -306,8 +283,9 @@ def machine_of(data: dict[str, Any]) -> Machine:
         control_bar=_truth(data["control_bar"], "control_bar"),
         file=str(data.get("file", "")),
         tolerance=_length(data.get("tolerance_mm", to_mm(TOLERANCE)), "tolerance_mm"),
-        process=_one_of(data.get("process", tool.process if tool else ""), PROCESSES, "process"),
+        process=one_of(data.get("process", tool.process if tool else ""), PROCESSES, "process"),
         tool=tool,
+        marks=read_marks(data),
         remarks=_remarks(data),
     )
     if not _FILE_NAME.fullmatch(described.file):
@@ -317,6 +295,8 @@ def machine_of(data: dict[str, Any]) -> Machine:
     if kind in ("hpgl", "pdf", "lbrn2", "gcode") and described.unit != "mm":
         raise InputError(f'a {kind.upper()} file has a unit of its own: give "unit": "mm".')
     check_laser([(line.name, line.pen, line.laser) for line in described.layers.values()], kind == "lbrn2")
+    if kind != "pdf" and described.spots:
+        raise InputError('only a PDF has spot colours: give "format": "pdf", or leave them out.')
     if kind == "hpgl" and described.arcs:
         raise InputError('HPGL is written as polylines: give "arcs": false.')
     return described
@@ -339,36 +319,9 @@ def _remarks(data: dict[str, Any]) -> tuple[str, ...]:
     )
 
 
-def _layers(data: dict[str, dict[str, Any]]) -> dict[Role, Line]:
-    if not data:
-        raise InputError("no layer is written: name at least CUT.")
-    layers = {}
-    for key, line in data.items():
-        role = Role(_one_of(key, tuple(role.value for role in Role), "layer"))
-        name, rgb = str(line.get("name", role.value)), str(line.get("rgb", LAYERS[role].rgb)).lower()
-        if not _LAYER_NAME.fullmatch(name):
-            raise InputError(f'the layer name "{name}" may have 1 to 31 of A-Z, 0-9, _, - and $ only.')
-        if not _COLOUR.fullmatch(rgb):
-            raise InputError(f'the colour "{rgb}" is not written like #ff0000.')
-        aci, pen = int(line.get("aci", LAYERS[role].aci)), int(line.get("pen", 1))
-        if not (1 <= aci <= 255 and 1 <= pen <= 255):
-            raise InputError(f"colour index {aci} and pen {pen} of {name} must be from 1 to 255.")
-        dashes = _one_of(line.get("line", LINE_TYPES[0]), LINE_TYPES, "line")
-        layers[role] = Line(name, aci, rgb, dashes, pen, laser_settings(line, name))
-    return layers
-
-
 def _overcut(data: dict[str, Any]) -> float:
     """As it is given, else what a swivel knife takes to swing into its direction."""
     return _length(data.get("overcut_mm", _SWING * data["knife_offset_mm"]), "overcut_mm")
-
-
-def _one_of(value: object, choices: tuple[str, ...], what: str) -> str:
-    if value not in choices:
-        raise InputError(
-            f'{what} "{value}" is none of {", ".join(choice or "(empty)" for choice in choices)}.'
-        )
-    return str(value)
 
 
 def _truth(value: object, what: str) -> bool:

@@ -7,7 +7,9 @@ from collections.abc import Sequence
 
 from BalloonWorkbench.core.errors import ExportError, MissingPackageError
 from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.machines.bed import fits
 from BalloonWorkbench.core.machines.machine import FOLDER, Machine, read_machine
+from BalloonWorkbench.core.machines.marks.over_beds import over_beds
 from BalloonWorkbench.core.machines.preflight import ERROR, PreflightFinding, film_preflight, preflight
 from BalloonWorkbench.core.machines.toolpaths import Toolpaths, draw
 from BalloonWorkbench.core.machines.writers.dxf import drawing_dxf
@@ -15,7 +17,7 @@ from BalloonWorkbench.core.machines.writers.gcode import drawing_gcode
 from BalloonWorkbench.core.machines.writers.hpgl import drawing_hpgl
 from BalloonWorkbench.core.machines.writers.lightburn import drawing_lightburn
 from BalloonWorkbench.core.machines.writers.svg import drawing_svg
-from BalloonWorkbench.core.options.making import REFUSE
+from BalloonWorkbench.core.options.making import REFUSE, SPLIT
 from BalloonWorkbench.core.pattern.pattern import Pattern
 from BalloonWorkbench.core.types import Say, in_english
 
@@ -115,8 +117,25 @@ def _files(pattern: Pattern, machine: Machine, oversize: str) -> tuple[dict[str,
     for stock in pattern.stocks:
         part = pattern.of_stock(stock)
         doubts += _doubts(preflight(part, machine, oversize), machine)
-        contents[file_of_stock(machine.file_name, stock)] = machine_file(part, machine)
+        name = file_of_stock(machine.file_name, stock)
+        for number, drawing in enumerate(drawings(part, machine, oversize), 1):
+            contents[numbered_file(name, number)] = drawing_file(drawing, machine)
     return contents, doubts
+
+
+def drawings(pattern: Pattern, machine: Machine, oversize: str) -> list[Toolpaths]:
+    """What is cut from one film: one drawing, or several where it is split over beds, in their order.
+
+    Raises what `draw` and `over_beds` raise.
+    """
+    split = oversize == SPLIT and not fits(pattern, machine)
+    return over_beds(pattern, machine) if split else [draw(pattern, machine)]
+
+
+def numbered_file(name: str, number: int) -> str:
+    """The name of the next file of several: "pattern-2.dxf"; the first has its own."""
+    stem, _, ending = name.rpartition(".")
+    return name if number == 1 else f"{stem}-{number}.{ending}"
 
 
 def file_of_stock(name: str, stock: str) -> str:

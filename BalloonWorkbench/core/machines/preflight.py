@@ -21,7 +21,7 @@ from BalloonWorkbench.core.machines.machine import Machine
 from BalloonWorkbench.core.machines.order import CUTS
 from BalloonWorkbench.core.machines.tool import WELDS, lacking
 from BalloonWorkbench.core.machines.toolpaths import fitted, not_held
-from BalloonWorkbench.core.options.making import REFUSE, WRITE
+from BalloonWorkbench.core.options.making import REFUSE, SPLIT, WRITE
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 from BalloonWorkbench.core.types import Floats
@@ -67,7 +67,7 @@ class PreflightFinding:
 def preflight(pattern: Pattern, machine: Machine, oversize: str = REFUSE) -> tuple[PreflightFinding, ...]:
     """Everything that is wrong or doubtful about a pattern on a machine, errors first.
 
-    With oversize WRITE, that it is larger than the bed is no error.
+    With oversize WRITE or SPLIT, that it is larger than the bed is no error.
     """
     taken = [contour for contour in pattern.contours if contour.role in machine.layers]
     findings = [*_closed(taken), *_simple(taken, machine)]
@@ -274,6 +274,15 @@ def _size(pattern: Pattern, machine: Machine, oversize: str) -> list[PreflightFi
             else "the file has it turned by 90 degrees"
         )
         return [PreflightFinding(WARNING, f"{sizes}: {turn}.")]
+    if oversize == SPLIT:
+        return [
+            PreflightFinding(
+                WARNING,
+                f"{sizes}: it is split over several files. Cut them in their order, and lay the film on anew"
+                " each time so that its crosses are where the next file has them.",
+                oversize=True,
+            )
+        ]
     if oversize == WRITE:
         return [PreflightFinding(WARNING, f"{sizes}: the file is written anyway.", oversize=True)]
     text = (

@@ -51,6 +51,8 @@ class Path:
 class Toolpaths:
     """Paths in the order of the work; lower left corner at the origin, and the size of it all [mm].
 
+    Of a pattern that is printed on a page it is the page's corner, and its size.
+
     Of a machine that reads G-code it is the corner of the film that panels are laid out on, else of the
     pattern with some room, whatever tool it holds: what is welded and what is cut afterwards lie on each
     other.
@@ -93,10 +95,12 @@ def draw(pattern: Pattern, machine: Machine) -> Toolpaths:
         raise ExportError(
             f"The pattern has no lines for {machine.title}, which takes {roles}: choose another machine."
         )
-    if machine.control_bar and Role.REGISTRATION in machine.layers:
+    if has_bar(pattern, machine):
         low = np.min([path.curve.bounds[0] for path in paths], axis=0)
         paths = [Path(Role.REGISTRATION, curve) for curve in _bar(low)] + paths
-    if machine.tool is None:
+    if pattern.page is not None and machine.tool is None:
+        low, high = to_mm(pattern.page[0]), to_mm(pattern.page[1])
+    elif machine.tool is None:
         low = np.min([path.curve.bounds[0] for path in paths], axis=0)
         high = np.max([path.curve.bounds[1] for path in paths], axis=0)
     else:
@@ -128,6 +132,11 @@ def _in_order(pattern: Pattern, machine: Machine) -> list[Path]:
         for step in steps
         for curve in curves[kept[step.number]]
     ]
+
+
+def has_bar(pattern: Pattern, machine: Machine) -> bool:
+    """Whether a control bar is drawn beside the pattern; on a page its marks tell the size."""
+    return machine.control_bar and Role.REGISTRATION in machine.layers and pattern.page is None
 
 
 def reach(pattern: Pattern, machine: Machine) -> tuple[Floats, Floats]:

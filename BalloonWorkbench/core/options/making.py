@@ -9,8 +9,9 @@ from functools import partial
 from BalloonWorkbench.core.options.option import Kind, Section, option_of, titles_in
 
 MAKING, ARTWORK, SHEET = Section("Making"), Section("Artwork"), Section("Film", topic="Layout on film")
-#: What becomes of a pattern that is larger than the bed: no file, the file all the same, a smaller balloon.
-REFUSE, WRITE, SCALE = "refuse", "write", "scale"
+#: What becomes of a pattern that is larger than the bed: no file, the file all the same, a smaller balloon,
+#: several files between which the film is moved.
+REFUSE, WRITE, SCALE, SPLIT = "refuse", "write", "scale", "split"
 MOST_BALLOONS = 100
 #: What cuts, and what welds by heat.
 KNIFE, LASER, SPINDLE, HOT_TIP, HOT_WHEEL = TOOLS = "knife", "laser", "spindle", "hot-tip", "hot-wheel"
@@ -30,8 +31,9 @@ class MachineOptions:
         "What the machine can work on, such as 600mmx400mm, 600mm for a roll, or none; by default as its"
         " file has it", prop="", metavar="WIDTH[xHEIGHT]")
     oversize: str = MAKING(Kind.CHOICE, REFUSE,
-        "Of a pattern larger than the bed there is no file (refuse), one all the same (write), or the"
-        " balloon is made smaller until it fits (scale)", prop="", choices={REFUSE: "", WRITE: "", SCALE: ""})
+        "Of a pattern larger than the bed there is no file (refuse), one all the same (write), several"
+        " between which the film is moved (split), or the balloon is made smaller until it fits (scale)",
+        prop="", choices={REFUSE: "", WRITE: "", SCALE: "", SPLIT: ""})
     tiled: str | None = MAKING(Kind.CHOICE, None, "Also write a PDF to print on several pages", prop="",
         choices={"A4": "", "A3": "", "Letter": ""})
 
@@ -119,6 +121,11 @@ class ArtworkOptions:
     back_picture: str | None = ARTWORK(Kind.FILE, None,
         "Another picture for the back; empty takes that of the front", label="Back", flag="--artwork-back")
     bleed: float = ARTWORK(Kind.LENGTH, 0.003, "How far the print goes past the cut", label="Bleed")
+    marks_for: str | None = ARTWORK(Kind.TEXT, None,
+        "The machine that finds the print again by its registration marks; empty has crosses for the eye",
+        label="Marks for", metavar="NAME",
+        typed="Print the registration marks of this machine; by default of the first --machine that looks for"
+        " marks itself, else crosses for the eye")
     dpi: float = ARTWORK(Kind.NUMBER, 300.0, "Dots per inch of the files", label="Dots per inch",
         prop="Resolution", step=50.0, decimals=0, most=2400.0)
 

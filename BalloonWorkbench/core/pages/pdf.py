@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 from BalloonWorkbench.core.packages import matplotlib_pdf
@@ -13,12 +13,17 @@ from BalloonWorkbench.core.types import Floats
 
 POINT = 25.4 / 72.0  # mm
 _INCH = 25.4
+#: Of a line in a spot colour [mm]: as thin as print shops ask for.
+_SPOT_LINE = 0.1
 #: Width and height [mm], and what draws on the axes of the page.
 Page = tuple[tuple[float, float], Callable[[Any], object]]
 
 
-def pdf(title: str, fonts: Fonts, pages: Iterable[Page]) -> bytes:
-    """The pages; the same bytes for the same pages. MissingPackageError without matplotlib."""
+def pdf(title: str, fonts: Fonts, pages: Iterable[Page], spots: Sequence[str] = ()) -> bytes:
+    """The pages; the same bytes for the same pages. MissingPackageError without matplotlib.
+
+    spots  names of the spot colours that `draw_spot` uses there
+    """
     backend = matplotlib_pdf()
     from matplotlib import style
     from matplotlib.figure import Figure
@@ -33,7 +38,7 @@ def pdf(title: str, fonts: Fonts, pages: Iterable[Page]) -> bytes:
     with style.context(["default", own]):  # not as the user's other diagrams
         # no date: the same bytes again
         metadata = {"Title": title, "CreationDate": None, "Creator": None, "Producer": None}
-        file = backend.PdfFile(stream, metadata=metadata)
+        file = _file_with(backend, spots)(stream, metadata=metadata)
         name = backend.Name
         unscaled = {"PrintScaling": name("None")}  # printers must not fit the page
         catalog = {"Type": name("Catalog"), "Pages": file.pagesObject, "ViewerPreferences": unscaled}
@@ -52,6 +57,54 @@ def pdf(title: str, fonts: Fonts, pages: Iterable[Page]) -> bytes:
         file.finalize()
         file.close()
     return stream.getvalue()
+
+
+def _file_with(backend: Any, spots: Sequence[str]) -> Any:
+    """The class of files in which spot colours are known, each a separation that shows as magenta."""
+    if not spots:
+        return backend.PdfFile
+    name = backend.Name
+    tint = {"FunctionType": 2, "Domain": [0, 1], "C0": [0, 0, 0, 0], "C1": [0, 1, 0, 0], "N": 1}
+    colours = {spot: [name("Separation"), name(spot), name("DeviceCMYK"), tint] for spot in spots}
+    overprint = {"Type": name("ExtGState"), "OP": True, "op": True, "OPM": 1}
+    added = {"resourceObject": {"ColorSpace": colours}, "_extGStateObject": {"Overprint": overprint}}
+
+    class SpotFile(backend.PdfFile):  # type: ignore[misc]
+        """A file whose resources have the spot colours, and the state in which they print over all else."""
+
+        def writeObject(self, reference: Any, contents: Any) -> None:  # noqa: N802
+            for owner, more in added.items():
+                if reference is getattr(self, owner, None):
+                    contents = {**contents, **more}
+            super().writeObject(reference, contents)
+
+    return SpotFile
+
+
+def draw_spot(axes: Any, points: Floats, closed: bool, spot: str) -> None:
+    """A thin line through points (n, 2) mm in a spot colour, above all else and printed over it."""
+    from matplotlib.artist import Artist
+
+    steps = [f"{x:.4f} {y:.4f} {'l' if k else 'm'}" for k, (x, y) in enumerate((points / POINT).tolist())]
+    width = f"{_SPOT_LINE / POINT:.4f}"
+    commands = f"q /Overprint gs /{spot} CS 1 SCN {width} w 1 J 1 j {' '.join(steps)}{' h' * closed} S Q\n"
+
+    class SpotLine(Artist):  # type: ignore[misc]
+        """matplotlib has no spot colours: the line goes into the page as PDF has it."""
+
+        def draw(self, renderer: Any) -> None:
+            renderer.file.write(commands.encode("ascii"))
+
+    line = SpotLine()
+    line.set_zorder(10.0)
+    axes.add_artist(line)
+
+
+def draw_area(axes: Any, points: Floats) -> None:
+    """A black area within points (n, 2) mm."""
+    from matplotlib.patches import Polygon
+
+    axes.add_artist(Polygon(points, closed=True, fc="#000000", ec="none", lw=0.0, clip_on=False))
 
 
 def write(
@@ -82,9 +135,24 @@ def draw_line(axes: Any, points: Floats, closed: bool, **look: Any) -> Any:
 
 
 def picture(axes: Any, pixels: Any, box: tuple[float, float, float, float]) -> None:
-    """Every pixel of a picture in a box of the page: left, bottom, right, top [mm]."""
-    left, bottom, right, top = box
-    look = {"interpolation": "none", "aspect": "auto", "clip_on": False}
-    limits = axes.get_xlim(), axes.get_ylim()
-    axes.imshow(pixels, extent=(left, right, bottom, top), **look)
-    axes.set(xlim=limits[0], ylim=limits[1])
+    """Every pixel of a picture (h, w, 3 or 4) in a box of the page: left, bottom, right, top [mm].
+
+    Just there: imshow would round the box to whole points.
+    """
+    from matplotlib.artist import Artist
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.transforms import Affine2D
+
+    left, bottom, right, top = (length / POINT for length in box)
+    colours = ScalarMappable().to_rgba(pixels, bytes=True)
+    place = Affine2D.from_values(right - left, 0.0, 0.0, bottom - top, left, top)
+
+    class PlacedPicture(Artist):  # type: ignore[misc]
+        """Pixels with their place, which the renderer takes as it is."""
+
+        def draw(self, renderer: Any) -> None:
+            context = renderer.new_gc()
+            renderer.draw_image(context, 0.0, 0.0, colours, place)
+            context.restore()
+
+    axes.add_artist(PlacedPicture())

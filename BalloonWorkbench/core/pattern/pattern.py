@@ -38,6 +38,7 @@ class Contour:
 
     front  only the front panel has it, as the hole of a nozzle
     stock  the film that it is on: "" the balloon's, else a name such as "valve"
+    filled printed all over, as a mark that a machine looks for
     """
 
     role: Role
@@ -45,6 +46,7 @@ class Contour:
     closed: bool
     front: bool = False
     stock: str = ""
+    filled: bool = False
 
     @property
     def line(self) -> Floats:
@@ -82,6 +84,7 @@ class Pattern:
     more_intakes  those of chambers that the first one does not reach
     film          length and width of the film that it is laid out on, whose corner is the origin [m]; None of
                   a pattern that lies anywhere
+    page          lower left and upper right corner (2,) m of the paper that it is printed on, where it is
     """
 
     contours: tuple[Contour, ...]
@@ -91,6 +94,7 @@ class Pattern:
     warnings: tuple[str, ...] = ()
     more_intakes: tuple[Intake, ...] = ()
     film: tuple[float, float] | None = None
+    page: tuple[Floats, Floats] | None = None
 
     @property
     def intakes(self) -> tuple[Intake, ...]:
@@ -151,4 +155,5 @@ class Pattern:
             intake=None if self.intake is None else replace(self.intake, at=self.intake.at + shift),
             more_intakes=tuple(replace(intake, at=intake.at + shift) for intake in self.more_intakes),
             film=None,
+            page=None if self.page is None else (self.page[0] + shift, self.page[1] + shift),
         )

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from BalloonWorkbench.core.geometry.polyline import length
+from BalloonWorkbench.core.geometry.polyline import bounds, length
 from BalloonWorkbench.core.geometry.vectors import rotation
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.pattern import Contour, Intake, Pattern, Role
@@ -37,6 +37,7 @@ def back_of(pattern: Pattern) -> Pattern:
         intake=None if pattern.intake is None else _mirrored(pattern.intake),
         more_intakes=tuple(_mirrored(intake) for intake in pattern.more_intakes),
         film=None,
+        page=None if pattern.page is None else bounds(np.array(pattern.page) * flip),
     )
 
 
@@ -62,7 +63,13 @@ def split(pattern: Pattern) -> list[Pattern]:
                 break
     return [
         replace(
-            pattern, contours=tuple(lines), intake=None, more_intakes=(), seam_length=_seams(lines), film=None
+            pattern,
+            contours=tuple(lines),
+            intake=None,
+            more_intakes=(),
+            seam_length=_seams(lines),
+            film=None,
+            page=None,
         )
         for lines in owned
     ]
@@ -87,4 +94,11 @@ def turned(pattern: Pattern, angle: float, shift: Floats) -> Pattern:
         intake=None if pattern.intake is None else moved(pattern.intake),
         more_intakes=tuple(moved(intake) for intake in pattern.more_intakes),
         film=None,
+        page=None if pattern.page is None else bounds(_corners(pattern.page) @ turn + shift),
     )
+
+
+def _corners(page: tuple[Floats, Floats]) -> Floats:
+    """All four corners of a page (4, 2) m."""
+    (left, bottom), (right, top) = page
+    return np.array([(left, bottom), (right, bottom), (right, top), (left, top)])

@@ -102,6 +102,47 @@ def test_artwork_follows_its_pattern_and_has_a_side(parts, picture, tmp_path):
     assert "bleed" in art.Status
 
 
+def test_artwork_has_the_marks_of_the_chosen_machine(parts, picture, tmp_path):
+    """On paper of its size, on both sides, in the cut file on its layer; another machine is told; one that is
+    none, and a print that is too large, are a sentence each."""
+    doc = parts.balloon.Document
+    art = artwork.make(parts.pattern, picture)
+    art.Resolution, art.MarksFor = 50.0, "silhouette-inkscape"
+    doc.recompute()
+    assert art.Status == status.READY
+    assert art.Roles.count("REGISTRATION") == 3
+    front, back = artwork.sheets(art)
+    for sheet in (front, back):
+        height, width = sheet.pixels.shape[:2]
+        assert (width, height) == pytest.approx((210 * 50 / 25.4, 297 * 50 / 25.4), abs=1)
+        square = sheet.pixels[round(11 * 50 / 25.4) : round(14 * 50 / 25.4), round(11 * 50 / 25.4) : 27]
+        assert (square == (0, 0, 0, 255)).all()
+    written = {path.name: path for path in artwork.write(art, tmp_path / "prints")}
+    assert "print-front-pattern-silhouette-inkscape.svg" in written
+    text = written["print-back-pattern-silhouette-inkscape.svg"].read_text(encoding="utf-8")
+    assert 'width="210mm" height="297mm"' in text
+    assert 'id="Regmarks"' in text
+    assert export_for(art, "silhouette-inkscape", tmp_path).read_text(encoding="utf-8").count("<path") > 3
+    assert not [each for each in check_for(art, "silhouette-inkscape") if "looks for others" in each.text]
+    (told,) = [each for each in check_for(art, "roland") if "looks for others" in each.text]
+    assert told.text.startswith("The print has the marks of Silhouette from Inkscape, and Roland")
+    art.MarksFor = "print-and-cut-pdf"
+    doc.recompute()
+    names = {path.name for path in artwork.write(art, tmp_path / "shop")}
+    assert {"artwork-print-and-cut-pdf.pdf"} <= names
+    assert not {name for name in names if name.startswith("print-") and name.endswith(".pdf")}
+    art.MarksFor = "oracle"
+    doc.recompute()
+    assert "no machine" in art.Status
+    art.Bleed, art.MarksFor = 50.0, "cricut"
+    doc.recompute()
+    assert "takes at most 183 x 270 mm" in art.Status
+    art.MarksFor = ""
+    doc.recompute()
+    assert art.Status == status.READY
+    assert art.Roles.count("REGISTRATION") == 9
+
+
 def test_a_traced_picture_is_its_own_artwork(doc):
     """No picture chosen: what was drawn is printed, in its place, without the paper around it."""
     parts = create.balloon_from_picture(doc, HEART, width=100, mesh_size=12, correct=False)

@@ -23,9 +23,9 @@ from solver_cases import circle
 
 from BalloonWorkbench.core.artwork import picture as pictures
 from BalloonWorkbench.core.artwork import sample
+from BalloonWorkbench.core.artwork.border import bordered
 from BalloonWorkbench.core.artwork.carry import front, seen_from
 from BalloonWorkbench.core.artwork.files import artwork_files
-from BalloonWorkbench.core.artwork.marks import bordered, marked
 from BalloonWorkbench.core.artwork.picture import covering, of_drawing
 from BalloonWorkbench.core.artwork.sheet import Print, artwork_sheets
 from BalloonWorkbench.core.correction.fit import fit
@@ -33,6 +33,7 @@ from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.library import custom_film, film
 from BalloonWorkbench.core.machines.machine import machine
 from BalloonWorkbench.core.machines.machine_file import machine_file
+from BalloonWorkbench.core.machines.marks.place import marked
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.outline.outline import Outline

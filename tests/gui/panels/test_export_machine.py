@@ -104,6 +104,24 @@ def test_larger_than_the_bed_is_written_when_that_is_ticked(made, tmp_path, stan
     assert lines[0][1] == {"machine": '"tiny"', "oversize": '"write"'}
 
 
+def test_larger_than_the_bed_is_split_when_that_is_ticked(made, tmp_path, stand_in):
+    """One of both ticks at a time; the files lie beside the first."""
+    choose("Tiny laser")
+    width, height = made.pattern.PatternWidth.Value + 50.0, 0.7 * made.pattern.PatternHeight.Value
+    hands.type_into(hands.find("Bed"), f"{width:.0f} x {height:.0f} mm")
+    hands.type_into(hands.find("File"), str(tmp_path / "x.dxf"), confirm=False)
+    hands.click(hands.find("WriteAnyway"), x=8)
+    hands.click(hands.find("SplitOverBeds"), x=8)
+    assert not hands.find("WriteAnyway").isChecked()
+    lines = lines_of_macro(stand_in)
+    hands.press("Ok")
+    hands.wait_until(lambda: hands.panel_is_closed() or hands.message())
+    assert hands.panel_is_closed()
+    names = sorted(path.name for path in tmp_path.glob("x*.dxf"))
+    assert names == ["x-2.dxf", "x.dxf"]
+    assert lines[0][1]["oversize"] == '"split"'
+
+
 def test_tick_is_for_one_machine(made):
     choose("Tiny laser")
     hands.click(hands.find("WriteAnyway"), x=8)

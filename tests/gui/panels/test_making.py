@@ -59,12 +59,24 @@ def test_artwork_is_chosen_shown_written_and_undone(made, tmp_path, stand_in):
     art = artwork.of_balloon(made.balloon)
     assert art.Status == status.READY
     art.Resolution = 40.0
+    marks = hands.find("MarksFor")
+    assert marks.currentText() == "Crosses, by eye"
+    names = [marks.itemText(row) for row in range(marks.count())]
+    for title, width in (("Silhouette from Inkscape", 210.0), ("Zünd Cut Center (flat bed)", None)):
+        marks.setCurrentIndex(names.index(title))
+        marks.activated.emit(marks.currentIndex())
+        assert status.is_ready(art)
+        front, _ = artwork.sheets(art)
+        assert width is None or float(np.ptp(front.pattern.page, axis=0)[0]) == pytest.approx(1e-3 * width)
+    assert art.MarksFor == "zuend"
     stand_in.setattr(
         hands.QtWidgets.QFileDialog, "getExistingDirectory", lambda *given: str(tmp_path / "prints")
     )
     hands.click(hands.find("WriteArtwork"))
     hands.wait_until(lambda: hands.find("ArtworkMessage").text())
-    assert len(list((tmp_path / "prints").iterdir())) >= 6
+    assert len(list((tmp_path / "prints").iterdir())) >= 8
+    cut = (tmp_path / "prints" / "print-front-pattern-zuend_mm.dxf").read_text(encoding="cp1252")
+    assert cut.count("Register") >= 5
     assert hands.find("ArtworkMessage").text() == f"Files written to {tmp_path / 'prints'}"
     for obj in (made.outline, made.pattern, art):
         obj.ViewObject.Visibility = False

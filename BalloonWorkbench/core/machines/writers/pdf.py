@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import partial
 from typing import Any
@@ -14,7 +15,8 @@ from BalloonWorkbench.core.geometry.polyline import line_lengths, point_on, ring
 from BalloonWorkbench.core.machines.machine import Machine
 from BalloonWorkbench.core.machines.toolpaths import BAR, Toolpaths
 from BalloonWorkbench.core.pages.fonts import Fonts, fonts_for, readable
-from BalloonWorkbench.core.pages.pdf import POINT, draw_line, pdf, write
+from BalloonWorkbench.core.pages.pdf import POINT, draw_line, draw_spot, pdf, write
+from BalloonWorkbench.core.pattern.pattern import Role
 from BalloonWorkbench.core.types import Floats, Say, in_english
 from BalloonWorkbench.core.units import from_mm, number_text, size_text
 
@@ -30,6 +32,7 @@ _CHORD = 0.005
 _TITLE = "Pattern on several pages"
 #: More pages than that are a mistake.
 _MOST_PAGES = 400
+_NO_SPOTS: Mapping[Role, str] = {}
 _Line = tuple[Floats, bool, dict[str, Any]]
 
 
@@ -57,9 +60,16 @@ def drawing_pdf(drawing: Toolpaths, machine: Machine, say: Say = in_english) -> 
     MissingPackageError without matplotlib.
     """
     size = (drawing.width + 2.0 * _MARGIN, drawing.height + 2.0 * _MARGIN)
-    lines = _lines(drawing, machine)
-    title = say("Balloon pattern")
-    return pdf(title, fonts_for(title, ""), [(size, lambda axes: _show(axes, lines, (_MARGIN, _MARGIN)))])
+    title, at = say("Balloon pattern"), (_MARGIN, _MARGIN)
+    return pdf(
+        title, fonts_for(title, ""), [(size, lambda axes: show(axes, drawing, machine, at))], machine.spots
+    )
+
+
+def show(axes: Any, drawing: Toolpaths, machine: Machine, at: tuple[float, float] = (0.0, 0.0)) -> None:
+    """A drawing in real size, its origin at a place of the page [mm]; in spot colours where its layers have
+    any."""
+    _show(axes, _lines(drawing, machine, {role: line.spot for role, line in machine.layers.items()}), at)
 
 
 def tiled_pdf(drawing: Toolpaths, machine: Machine, paper: str, say: Say = in_english) -> bytes:
@@ -118,13 +128,14 @@ def _has_lines(drawing: Toolpaths, tiles: Tiles, column: int, row: int) -> bool:
     return False
 
 
-def _lines(drawing: Toolpaths, machine: Machine) -> list[_Line]:
+def _lines(drawing: Toolpaths, machine: Machine, spots: Mapping[Role, str] = _NO_SPOTS) -> list[_Line]:
     """Points [mm] of the drawing's lines, whether they are closed, and their looks."""
     lines = []
     for path in drawing.paths:
         line = machine.layers[path.role]
         dashes = (0.0, (4.0 / _LINE, 2.0 / _LINE)) if line.line == "DASHED" else "solid"
-        lines.append((path.curve.flattened(_CHORD), path.curve.closed, {"ec": line.rgb, "ls": dashes}))
+        look = {"spot": spot} if (spot := spots.get(path.role)) else {"ec": line.rgb, "ls": dashes}
+        lines.append((path.curve.flattened(_CHORD), path.curve.closed, look))
     return lines
 
 
@@ -133,6 +144,9 @@ def _show(
 ) -> None:
     """The lines with the drawing's origin at a place of the page [mm], cut off at a window."""
     for points, closed, look in lines:
+        if "spot" in look:
+            draw_spot(axes, points + at, closed, look["spot"])
+            continue
         drawn = draw_line(axes, scale * points + at, closed, lw=scale * _LINE / POINT, **look)
         if window is not None:
             drawn.set(clip_path=window, clip_on=True)

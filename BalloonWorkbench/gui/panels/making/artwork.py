@@ -12,11 +12,12 @@ from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.properties import values
 from BalloonWorkbench.app.properties.property_table import put_file
 from BalloonWorkbench.core.errors import BalloonError
+from BalloonWorkbench.core.machines.machine import machines
 from BalloonWorkbench.core.options.option import snake
 from BalloonWorkbench.gui.paint.preview.painting_display import MODE
 from BalloonWorkbench.gui.panels import show
 from BalloonWorkbench.gui.panels.widgets.fields import PropertyForm
-from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel
+from BalloonWorkbench.gui.panels.widgets.narrow import NarrowCombo, WrappedLabel
 from BalloonWorkbench.gui.panels.widgets.object_panel import ObjectPanel
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.view3d.fit_view import fit_kept
@@ -51,7 +52,16 @@ class ArtworkPanel(ObjectPanel):
         self.message = WrappedLabel()
         self.message.setObjectName("ArtworkMessage")
         form = PropertyForm(self.fields, self.form)
-        rows = {"Picture": self.front, "BackPicture": self.back}
+        self.marks = NarrowCombo()
+        self.marks.setObjectName("MarksFor")
+        self.marks.setToolTip(
+            translate("The machine that finds the print again by its registration marks, printed round it")
+        )
+        looking = [known for known in machines().values() if not known.marks.are_seen]
+        self.known = {known.name: translated(known.title) for known in looking}
+        self.known = {"": translate("Crosses, by eye"), **self.known}
+        self.marks.addItems(list(self.known.values()))
+        rows = {"Picture": self.front, "BackPicture": self.back, "MarksFor": self.marks}
         for item in artwork.PROPERTIES:
             if item.name in rows:
                 form.addRow(QtWidgets.QLabel(translate(item.label)))
@@ -63,6 +73,7 @@ class ArtworkPanel(ObjectPanel):
         form.addRow(self.message)
         for row in (self.front, self.back):
             row.chosen.connect(self.choose)
+        self.marks.activated.connect(self.choose_marks)
         self.fields.changed.connect(lambda _name: self.update())
         self.write.clicked.connect(lambda _checked=False: self.write_files())
         self.update()
@@ -79,11 +90,18 @@ class ArtworkPanel(ObjectPanel):
         self.files[snake(name)] = macro_recorder.text(path)
         self.update()
 
+    def choose_marks(self, row: int) -> None:
+        """Take the machine that the marks are for."""
+        self.obj.MarksFor = list(self.known)[row]
+        self.update()
+
     def update(self) -> None:
         """Bring the artwork up to date and show what it says."""
         with fit_kept(Gui.getDocument(self.doc.Name)):
             self.obj.recompute()
         self.fields.refresh()
+        names = list(self.known)
+        self.marks.setCurrentIndex(names.index(self.obj.MarksFor) if self.obj.MarksFor in names else -1)
         self.front.show_file(self.obj.Picture)
         self.back.show_file(self.obj.BackPicture)
         ready = status.is_ready(self.obj)

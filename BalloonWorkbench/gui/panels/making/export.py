@@ -13,6 +13,7 @@ from BalloonWorkbench.app.engine.cut_sheet import patterns_in
 from BalloonWorkbench.app.engine.export import export_for, files_of, tool_paths
 from BalloonWorkbench.app.properties import preferences
 from BalloonWorkbench.core.errors import BalloonError
+from BalloonWorkbench.core.options.making import REFUSE
 from BalloonWorkbench.gui.panels.making.machine_box import MachineBox
 from BalloonWorkbench.gui.panels.widgets.narrow import NarrowCombo, NarrowForm, WrappedLabel
 from BalloonWorkbench.gui.panels.widgets.target_file import TargetFile, name_of
@@ -130,7 +131,7 @@ class ExportPanel(TaskPanel):
             return False
         chosen = {"machine": made_for.name, "paper": paper, "bed": own_bed}
         chosen |= dict(zip(("tabs", "tabs_below"), tabs))
-        if self.machine.write.isChecked():
+        if oversize != REFUSE:
             chosen["oversize"] = oversize
         options = {key: macro_recorder.text(value) for key, value in chosen.items() if value}
         macro_recorder.call(
@@ -154,7 +155,7 @@ class ExportPanel(TaskPanel):
         except BalloonError as error:
             self.message.setText(translated(str(error)))
             return False
-        if self.machine.write.isChecked():
+        if oversize != REFUSE:
             chosen["oversize"] = oversize
         options = {key: macro_recorder.text(value) for key, value in chosen.items() if value}
         words = macro_recorder.obj(pattern), macro_recorder.text(name)

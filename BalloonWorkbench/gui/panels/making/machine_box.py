@@ -19,7 +19,7 @@ from BalloonWorkbench.core.machines.contour.tabs import leaves_tabs
 from BalloonWorkbench.core.machines.machine import NO_LIMIT, bed_text, left_out, machines, parse_bed
 from BalloonWorkbench.core.machines.preflight import ERROR
 from BalloonWorkbench.core.machines.writers.pdf import TILES
-from BalloonWorkbench.core.options.making import REFUSE, WRITE
+from BalloonWorkbench.core.options.making import REFUSE, SPLIT, WRITE
 from BalloonWorkbench.core.units import LENGTH_UNITS
 from BalloonWorkbench.gui.panels.making.tab_row import TabRow
 from BalloonWorkbench.gui.panels.widgets.fields import ReturnKey
@@ -119,13 +119,23 @@ class MachineBox(QtWidgets.QWidget):
         self.write = QtWidgets.QCheckBox(translate("Write anyway"))
         self.write.setObjectName("WriteAnyway")
         self.write.setToolTip(translate("Write the file although it is larger than the bed"))
+        self.split = QtWidgets.QCheckBox(translate("Split over beds"))
+        self.split.setObjectName("SplitOverBeds")
+        self.split.setToolTip(
+            translate(
+                "Write several files, each as large as the bed. Crosses in waste film tell how the film"
+                " is laid on anew for the next one"
+            )
+        )
+        self.write.toggled.connect(lambda on: on and self.split.setChecked(False))
+        self.split.toggled.connect(lambda on: on and self.write.setChecked(False))
         self.why_not = WrappedLabel()
         self.why_not.setObjectName("WhyNotScaled")
         self.scale.clicked.connect(lambda _checked=False: self.scaled.emit())
         self.ways = QtWidgets.QWidget()
         column = QtWidgets.QVBoxLayout(self.ways)
         column.setContentsMargins(0, 0, 0, 0)
-        for widget in (self.scale, self.why_not, self.write):
+        for widget in (self.scale, self.why_not, self.split, self.write):
             column.addWidget(widget)
         return self.ways
 
@@ -144,6 +154,8 @@ class MachineBox(QtWidgets.QWidget):
     @property
     def oversize(self) -> str:
         """What becomes of a pattern that is larger than the bed."""
+        if self.split.isChecked():
+            return SPLIT
         return WRITE if self.write.isChecked() else REFUSE
 
     @property
@@ -170,6 +182,7 @@ class MachineBox(QtWidgets.QWidget):
         self.tabs.show_for(chosen.name)
         self.ways.hide()
         self.write.setChecked(False)
+        self.split.setChecked(False)
         if pattern is None:
             return
         self.note.setText(translated(chosen.note))
