@@ -344,6 +344,10 @@
         <translation>Plus grande déformation du film</translation>
     </message>
     <message>
+        <source>Lay panels first onto what is left of another layout, as its file says; the rest on the film</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Least bending stiffness, in units of the usual least one</source>
         <translation>Rigidité de flexion minimale, en unités de la minimale habituelle</translation>
     </message>
@@ -494,6 +498,10 @@
     <message>
         <source>Of warm air, in degrees Celsius</source>
         <translation>De l'air chaud, en degrés Celsius</translation>
+    </message>
+    <message>
+        <source>On which remnant each sheet is, -1 for none</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Only one side of this film can be joined so</source>
@@ -698,6 +706,10 @@
     <message>
         <source>The film resists bending</source>
         <translation>Le film résiste à la flexion</translation>
+    </message>
+    <message>
+        <source>The machine that finds the print again by its registration marks; empty has crosses for the eye</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The outline whose drawing this one shares; empty: its own</source>
@@ -968,6 +980,10 @@
         <translation>Largeur du dessin ; 0 se déduit de la hauteur</translation>
     </message>
     <message>
+        <source>Width of the film of what is shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Width of the inflated balloon</source>
         <translation>Largeur du ballon gonflé</translation>
     </message>
@@ -1079,8 +1095,8 @@
         <translation>« {0} » est illisible ({1}) : indiquez un fichier JSON de réglages.</translation>
     </message>
     <message>
-        <source>'{0}' cannot be the name of a machine: take small letters, digits and -.</source>
-        <translation>« {0} » ne peut pas être le nom d'une machine : prenez des minuscules, des chiffres et -.</translation>
+        <source>'{0}' cannot be the name of a machine: take up to 40 letters, digits, spaces and - only.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>'{0}' has a column twice.</source>
@@ -1311,12 +1327,16 @@
         <translation>--jobs et --timeout sont des nombres supérieurs à 0.</translation>
     </message>
     <message>
-        <source>--oversize scale makes the balloon smaller until it fits, --oversize write writes the file anyway, --bed tells how large the bed is.</source>
-        <translation>--oversize scale réduit le ballon jusqu'à ce qu'il tienne, --oversize write écrit le fichier quand même, --bed dit la taille du plateau.</translation>
+        <source>--oversize scale makes the balloon smaller until it fits, --oversize split writes several files between which the film is moved, --oversize write writes the file anyway, --bed tells how large the bed is.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>--rim is the width of the weld and of the film beside it: give 0 to 1 m.</source>
         <translation>--rim est la largeur de la soudure et du film à côté : donnez de 0 à 1 m.</translation>
+    </message>
+    <message>
+        <source>--tabs-below is about tabs: give their width too, such as --tabs 0.4mm.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>--target-volume and --target-lift decide the size: leave out --width and --height.</source>
@@ -1335,6 +1355,10 @@
         <translation>95 % en dessous de</translation>
     </message>
     <message>
+        <source>A GIF needs Pillow: install it with pip install pillow.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>A balloon has no "{0}": it has {1}.</source>
         <translation>Un ballon n'a pas de « {0} » : il a {1}.</translation>
     </message>
@@ -1343,12 +1367,20 @@
         <translation>Un ballon à bande latérale n'a pas de soudures à l'intérieur : son avant et son arrière sont écartés. Retirez-les, ou faites-le de deux panneaux.</translation>
     </message>
     <message>
+        <source>A bar is stated to weld {0} at {1}, this tool has {2}: peel a test card before you rely on it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>A bed is that of a machine: give --machine too.</source>
         <translation>Un plateau est celui d'une machine : donnez aussi --machine.</translation>
     </message>
     <message>
         <source>A bed is {0} mm to {1} mm wide and high: write 600mmx400mm, 600mm for a roll, or {2}.</source>
         <translation>Un plateau fait de {0} mm à {1} mm de large et de haut : écrivez 600mmx400mm, 600mm pour un rouleau, ou {2}.</translation>
+    </message>
+    <message>
+        <source>A bed of {0} is too small to lay so much film on anew: give a larger one, or make the balloon smaller.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A body cannot be made of {0} gores. Take {1} to {2}.</source>
@@ -1387,6 +1419,18 @@
         <translation>Un fichier de ce nom existe déjà</translation>
     </message>
     <message>
+        <source>A film of this name is there already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A film of your own beside the balloon's, with what was found; it changes no pattern</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A fitted film is kept beside the numbers of a known one: choose the balloon's film in its panel.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>A fitted film is written beside the numbers of a known one: give it by --material.</source>
         <translation>Un film ajusté s'écrit à côté des nombres d'un film connu : donnez celui-ci par --material.</translation>
     </message>
@@ -1409,6 +1453,14 @@
     <message>
         <source>A hole would open or close: draw that part anew.</source>
         <translation>Un trou s'ouvrirait ou se fermerait : redessinez cette partie.</translation>
+    </message>
+    <message>
+        <source>A hot tip is stated to weld {0} at {1}, this tool has {2}: peel a test card before you rely on it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A known length, in pixels of the picture</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A label has up to {0} letters, between 0.1 mm and 10 m high: change it.</source>
@@ -1491,12 +1543,20 @@
         <translation>Un plan demande sa normale. Donnez-en une.</translation>
     </message>
     <message>
+        <source>A print is not cut in parts: choose a machine with a larger bed than {0}, or make the balloon smaller.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>A process beside this one does not start: {0}</source>
         <translation>Un processus à côté de celui-ci ne démarre pas : {0}</translation>
     </message>
     <message>
         <source>A process beside this one is of version {0}, not of {1}: install one of them anew.</source>
         <translation>Un processus à côté de celui-ci est de la version {0}, et non {1} : réinstallez l'un des deux.</translation>
+    </message>
+    <message>
+        <source>A remnant is left of a layout: give --nest too, such as --nest 500mm.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A script needs to know how many shards it has: give --shards a number.</source>
@@ -1523,8 +1583,8 @@
         <translation>Une couture près de {0} passerait deux fois au même endroit. Dessinez-la en deux parties.</translation>
     </message>
     <message>
-        <source>A separating layer of PTFE gives off poisonous fumes above {0}: lay baking paper between tool and film, and air the room.</source>
-        <translation>Une couche de séparation en PTFE dégage des fumées toxiques au-dessus de {0} : posez du papier cuisson entre l'outil et le film, et aérez la pièce.</translation>
+        <source>A separating layer of PTFE gives off poisonous fumes above {0}, and baking paper chars above {1}: weld slower at a lower temperature, and air the room.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A setting is tried with up to twelve values, each once.</source>
@@ -1559,12 +1619,20 @@
         <translation>Une étude de tolérances prend 1 à {0} échantillons, pas {1} : {2} en disent déjà long.</translation>
     </message>
     <message>
+        <source>A tab must be {0} to {1} wide, not {2}; 0 makes none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>A test card is for a machine, in a folder: give --machine and --out.</source>
         <translation>Une carte d'essai est pour une machine, dans un dossier : donnez --machine et --out.</translation>
     </message>
     <message>
         <source>A test card tries one or two settings: give several values of them, such as 200,300,400.</source>
         <translation>Une carte d'essai essaie un ou deux réglages : donnez-en plusieurs valeurs, par exemple 200,300,400.</translation>
+    </message>
+    <message>
+        <source>A tool has no "{0}": choose one of {1}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A tool is that of a machine that reads G-code: give --machine gcode-grbl or another.</source>
@@ -1723,6 +1791,10 @@
         <translation>Tout programme (SVG)</translation>
     </message>
     <message>
+        <source>Any size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Apply</source>
         <translation>Appliquer</translation>
     </message>
@@ -1741,6 +1813,14 @@
     <message>
         <source>Artwork</source>
         <translation>Illustration</translation>
+    </message>
+    <message>
+        <source>As Summa with OPOS, and the bar between the lower squares shows the cutter whether the print is bent. Feed the sheet with the bar first. The layer Regmark is not cut.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As made</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>As made over what was expected</source>
@@ -1831,6 +1911,10 @@
         <translation>Ballons : {0}, calculés cette fois : {1}, dont échoués : {2}</translation>
     </message>
     <message>
+        <source>Bar of 100 mm to measure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Bed</source>
         <translation>Plateau</translation>
     </message>
@@ -1841,6 +1925,14 @@
     <message>
         <source>Beside the document</source>
         <translation>À côté du document</translation>
+    </message>
+    <message>
+        <source>Beside the pattern, to see whether the size was kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Best field</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Best of {0} balloons: {1}, with {2}.</source>
@@ -1919,6 +2011,10 @@
         <translation>Impossible d'écrire {0} : {1}. Faites-y de la place et relancez l'étude ; aucun ballon n'est perdu.</translation>
     </message>
     <message>
+        <source>Card</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Charts</source>
         <translation>Graphiques</translation>
     </message>
@@ -1963,12 +2059,20 @@
         <translation>Choisir une fiche de matériau</translation>
     </message>
     <message>
+        <source>Choose a photograph first: a PNG, JPEG or BMP file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Choose a picture</source>
         <translation>Choisir une image</translation>
     </message>
     <message>
         <source>Choose a picture or a sketch.</source>
         <translation>Choisissez une image ou une esquisse.</translation>
+    </message>
+    <message>
+        <source>Choose a remnant</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Choose a row first.</source>
@@ -1981,6 +2085,10 @@
     <message>
         <source>Choose a solid, a mesh or a file with one.</source>
         <translation>Choisissez un solide, un maillage ou un fichier qui en contient un.</translation>
+    </message>
+    <message>
+        <source>Choose a test card</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Choose sketches, a file or a ready body.</source>
@@ -2011,6 +2119,18 @@
         <translation>Cliquez sur une couture : les panneaux de part et d'autre n'en font plus qu'un</translation>
     </message>
     <message>
+        <source>Click both ends of a length that you know; a third click moves the nearer mark.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click both ends of a ruler in the picture, or of another known length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click to see it larger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Click two places: a seam runs between them</source>
         <translation>Cliquez sur deux endroits : une couture va de l'un à l'autre</translation>
     </message>
@@ -2021,6 +2141,10 @@
     <message>
         <source>Click where the seam ends. Esc: another start.</source>
         <translation>Cliquez là où finit la couture. Échap : autre départ.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Close the open task panel first.</source>
@@ -2035,6 +2159,22 @@
         <translation>Colonnes depuis la gauche : {0}</translation>
     </message>
     <message>
+        <source>Compare</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare with a photograph</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Comparing with the photograph</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Comparing…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Coordinates really are inches, and the header says so.</source>
         <translation>Les coordonnées sont vraiment en pouces, et l'en-tête le dit.</translation>
     </message>
@@ -2043,12 +2183,20 @@
         <translation>Copies</translation>
     </message>
     <message>
+        <source>Copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Corner relief</source>
         <translation>Dégagement d'angle</translation>
     </message>
     <message>
         <source>Cricut Design Space</source>
         <translation>Cricut Design Space</translation>
+    </message>
+    <message>
+        <source>Crosses, by eye</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Crumpled</source>
@@ -2091,6 +2239,10 @@
         <translation>Coupez deux panneaux ({film}), le second en miroir.</translation>
     </message>
     <message>
+        <source>Cuts without room for two tabs of {0} on a straight: {1}, the first near {2}. What they go round comes free.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Cutting shop (DXF R12)</source>
         <translation>Atelier de découpe (DXF R12)</translation>
     </message>
@@ -2105,6 +2257,22 @@
     <message>
         <source>DXF files need the Python package ezdxf. Install it with 'pip install ezdxf', or save the drawing as SVG.</source>
         <translation>Les fichiers DXF demandent le paquet Python ezdxf. Installez-le par « pip install ezdxf », ou enregistrez le dessin en SVG.</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete {}? Its file goes for good.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Diameter {}, height {}, gores {} long</source>
@@ -2129,6 +2297,10 @@
     <message>
         <source>Dividing a body needs scipy: install it with pip install scipy.</source>
         <translation>Diviser un corps demande scipy : installez-le par pip install scipy.</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Dots per inch</source>
@@ -2189,6 +2361,10 @@
     <message>
         <source>Drawn as</source>
         <translation>Dessiné comme</translation>
+    </message>
+    <message>
+        <source>Dwell</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>E across the grain</source>
@@ -2267,8 +2443,16 @@
         <translation>Exportation</translation>
     </message>
     <message>
+        <source>Export begins with it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Export pattern</source>
         <translation>Exporter le patron</translation>
+    </message>
+    <message>
+        <source>Export pattern begins with this machine; it is a preference</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Expression</source>
@@ -2289,6 +2473,14 @@
     <message>
         <source>Farthest point</source>
         <translation>Point le plus éloigné</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feed in corners</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Fetch</source>
@@ -2319,6 +2511,10 @@
         <translation>Peu de panneaux ou forme fidèle ?</translation>
     </message>
     <message>
+        <source>Fields: {}, on {} of film</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>File</source>
         <translation>Fichier</translation>
     </message>
@@ -2333,6 +2529,18 @@
     <message>
         <source>Fill a closed line, or give an area another colour</source>
         <translation>Remplir une ligne fermée, ou changer la couleur d'une surface</translation>
+    </message>
+    <message>
+        <source>Fill at the nozzle, to at most {column} of water.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fill through a straw in the neck, to at most {column} of water.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fill through a tube of 6 mm, its end cut aslant, pushed 25 mm past the seal across the neck, to at most {column} of water. Pull it out: the strips close by themselves.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Fill through a tube of 6 mm, its end cut aslant, pushed 25 mm past the weld across the neck. Pull it out: the pressure presses the strips together.</source>
@@ -2407,8 +2615,16 @@
         <translation>Films</translation>
     </message>
     <message>
+        <source>Find how much the film stretched, and how far the weld draws the seam inward</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Find its place</source>
         <translation>Trouver sa place</translation>
+    </message>
+    <message>
+        <source>Fit the film, too</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Fit to drawing</source>
@@ -2437,6 +2653,14 @@
     <message>
         <source>Follows the body</source>
         <translation>Suit le corps</translation>
+    </message>
+    <message>
+        <source>For Send to Silhouette of inkscape-silhouette. The marks of a print lie on the layer Regmarks, which is not cut, 10 mm from the edges of A4 and 190 and 277 mm apart: give that there. Nothing is cut outside them. For other paper change page_mm in a copy.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For {0} of {1} pieces there is no room on the remnant: give film for the rest too.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>For {0} the drawing would be {1} large: choose a volume that makes it {2} to {3}.</source>
@@ -2543,6 +2767,10 @@
         <translation>Donnez comme but soit un volume, soit une portance.</translation>
     </message>
     <message>
+        <source>Give one or two settings several values, such as 200, 300, 400, and each of the others one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Give the document the values of the chosen row</source>
         <translation>Donner au document les valeurs de la ligne choisie</translation>
     </message>
@@ -2599,6 +2827,10 @@
         <translation>Sens du film</translation>
     </message>
     <message>
+        <source>Graphtec with ARMS (vinyl cutter)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Green</source>
         <translation>Vert</translation>
     </message>
@@ -2631,6 +2863,10 @@
         <translation>Hauteur</translation>
     </message>
     <message>
+        <source>Height between two lines; empty: 5 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Helium</source>
         <translation>Hélium</translation>
     </message>
@@ -2659,12 +2895,32 @@
         <translation>Faites la prise d'origine, puis mettez X0 Y0 au coin inférieur gauche du film et Z0 où la pointe touche la couche posée dessus (G92) ; le fichier ne fait pas de prise d'origine. Posez du papier cuisson ou du PTFE entre la pointe et le film, fixez le film à plat au ruban adhésif.</translation>
     </message>
     <message>
+        <source>Hot tip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hot wheel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Hours of welding, where they are known</source>
         <translation>Heures de soudage, là où elles sont connues</translation>
     </message>
     <message>
         <source>How a balloon follows its pattern can be worked out for an elastic weld alone: choose that one.</source>
         <translation>La façon dont un ballon suit son patron ne se calcule que pour une soudure élastique : choisissez celle-ci.</translation>
+    </message>
+    <message>
+        <source>How far a closed cut runs past its start; empty: six times the knife's offset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far a closed weld runs past its start, so that the joint is tight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far a swivel knife or wheel lies behind its axis; 0 where the machine makes up for it</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>How far along it</source>
@@ -2675,12 +2931,32 @@
         <translation>La distance de l'ouverture le long de sa couture doit être de 0 à 1.</translation>
     </message>
     <message>
+        <source>How far below the place where it touches the film it works: it presses so hard, or cuts so deep; of a laser its focus. Empty: not known yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>How far the balloon may be from the body on average, of the body's diagonal</source>
         <translation>De combien le ballon peut s'écarter du corps en moyenne, en part de la diagonale du corps</translation>
     </message>
     <message>
         <source>How far the outline moves if the weld creases could not be simulated. {0}</source>
         <translation>Le déplacement du contour si la soudure se froisse n'a pas pu être simulé. {0}</translation>
+    </message>
+    <message>
+        <source>How far weld and film reach beyond the seam in the photograph; empty: as in the pattern, 0: folded back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How fast it goes along a line; empty: not known yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How long a way from waste film to a weld may be; 0 for none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How long it waits before it moves along a line: film warms, a beam burns in, a spindle starts</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>How wide shall it be?</source>
@@ -2763,6 +3039,10 @@
         <translation>Embout sur une partie mince</translation>
     </message>
     <message>
+        <source>It came with the workbench: copy it to set it up as your own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>It holds {} of the air that a round balloon of as much film would.</source>
         <translation>Il contient {} de l'air que contiendrait un ballon rond d'autant de film.</translation>
     </message>
@@ -2843,12 +3123,40 @@
         <translation>Assemblez les panneaux le long des lignes à l'intérieur du ballon.</translation>
     </message>
     <message>
+        <source>Keep it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the best</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the film</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Keep the proportions</source>
         <translation>Garder les proportions</translation>
     </message>
     <message>
+        <source>Kept, and offered by Export pattern: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kerf</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Kind</source>
         <translation>Type</translation>
+    </message>
+    <message>
+        <source>Knife</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Knife offset</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Kraft paper, 80 g/m²</source>
@@ -2877,6 +3185,10 @@
     <message>
         <source>Largest tension of the film</source>
         <translation>Plus grande tension du film</translation>
+    </message>
+    <message>
+        <source>Laser</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Lay a picture under the paper for tracing; press again to take it away</source>
@@ -2927,6 +3239,22 @@
         <translation>Disposition de {0}</translation>
     </message>
     <message>
+        <source>Lead-in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leak test: fill with air through a tube in the neck, closed round it by hand or with tape, to at most {column} of water in a hose. Wait 15 min, brush soapy water along the seams. Mark with a pen where bubbles grow, let the air out, dry it, seal there once more, test again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leak test: fill with air to at most {column} of water in a hose. Wait 15 min, brush soapy water along the seams. Mark with a pen where bubbles grow, let the air out, dry it, seal there once more, test again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave tabs so wide in the cuts, such as 0.4 mm, on straights, two or more on each and one in 100 mm, so that pieces stay in the film. It is kept for this machine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Left out: {0}</source>
         <translation>Omis : {0}</translation>
     </message>
@@ -2957,6 +3285,10 @@
     <message>
         <source>Letter with a side band</source>
         <translation>Lettre à bande latérale</translation>
+    </message>
+    <message>
+        <source>Letters, digits, spaces and - only</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Lift</source>
@@ -3039,8 +3371,20 @@
         <translation>Fait au pinceau et au stylo : double-cliquez sur le contour pour continuer</translation>
     </message>
     <message>
+        <source>Make a card</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make a machine of your own with the values of this one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Make a sketch of the cuts</source>
         <translation>Faire une esquisse des coupes</translation>
+    </message>
+    <message>
+        <source>Make a test card: nobody states a temperature for this film.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Make it!</source>
@@ -3059,8 +3403,24 @@
         <translation>Création des parcours d'outil</translation>
     </message>
     <message>
+        <source>Mark a length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mark a length in the picture, and give its true length, such as 300 mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mark a length…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Marks</source>
         <translation>Repères</translation>
+    </message>
+    <message>
+        <source>Marks for</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Marlin printer (G-code)</source>
@@ -3103,6 +3463,10 @@
         <translation>Le maillage demande scipy : installez-le par pip install scipy.</translation>
     </message>
     <message>
+        <source>Mimaki with register marks (vinyl cutter)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Mind</source>
         <translation>Attention</translation>
     </message>
@@ -3129,6 +3493,22 @@
     <message>
         <source>Move the pointer to bend the line, then click. Esc drops it.</source>
         <translation>Déplacez le pointeur pour courber la ligne, puis cliquez. Échap l'abandonne.</translation>
+    </message>
+    <message>
+        <source>My machines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>My {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the machine</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Native</source>
@@ -3299,8 +3679,16 @@
         <translation>Non, prendre NumPy</translation>
     </message>
     <message>
-        <source>Nobody but you knows the {0} of your {1} for this film: give {2}, or {3} of the tool in a machine file of your own.</source>
-        <translation>Personne d'autre que vous ne connaît {0} pour ce film ({1}) : donnez {2}, ou {3} de l'outil dans votre propre fichier de machine.</translation>
+        <source>Nobody but you knows the {0} of your {1} for this film: fill in My machines in FreeCAD, or give {2}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody but you knows this: {}. Give one value, or several to try.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody states a temperature for this film. Make a test card: weld strips with several temperatures and times, peel them, keep the best.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>None</source>
@@ -3333,6 +3721,10 @@
     <message>
         <source>Notches of {0} do not end before the weld: the allowance is {1}.</source>
         <translation>Des encoches de {0} ne s'arrêtent pas avant la soudure : la marge est de {1}.</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Note: {0}</source>
@@ -3401,6 +3793,14 @@
     <message>
         <source>Of the bodies of the mesh only the largest is made; all in all there are: {0}.</source>
         <translation>Des corps du maillage, seul le plus grand est fait ; en tout il y en a : {0}.</translation>
+    </message>
+    <message>
+        <source>Of the film of {0} nothing is left that is large enough to be used again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the tip or wheel, 40 to 400 °C. Above 260 °C a layer of PTFE gives off poisonous fumes</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Off</source>
@@ -3475,12 +3875,24 @@
         <translation>Seuls les ballons de deux panneaux égaux sont comparés à une photo : comparez les panneaux des autres un par un avec --flat.</translation>
     </message>
     <message>
+        <source>Only balloons of two equal panels are compared with a photograph: compare the panels of others one by one, with the command compare and its --flat.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Only grades of this film with a sealing layer weld: try scraps before you cut.</source>
         <translation>Seules les qualités de ce film à couche scellable se soudent : essayez sur des chutes avant de couper.</translation>
     </message>
     <message>
+        <source>Only pieces that are no larger than this either way get tabs, such as 50 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Only the middle of the weld. A closed weld runs past its start, so that the joint is tight.</source>
         <translation>Seulement le milieu de la soudure. Une soudure fermée dépasse son début, pour que le raccord soit étanche.</translation>
+    </message>
+    <message>
+        <source>Only the shape is compared, at the size that fits best</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Only {0} of film stay between two cuts near {1}; {2} wants {3}. It may tear or melt there.</source>
@@ -3523,8 +3935,16 @@
         <translation>Contour {}, trous : {}</translation>
     </message>
     <message>
+        <source>Overcut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>PDF files, previews and labels need it; DXF, SVG and HPGL can be written.</source>
         <translation>Les fichiers PDF, les aperçus et les étiquettes en ont besoin ; DXF, SVG et HPGL peuvent être écrits.</translation>
+    </message>
+    <message>
+        <source>PNG, JPEG or BMP</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Pa, its own range</source>
@@ -3735,6 +4155,10 @@
         <translation>Dessin au trait</translation>
     </message>
     <message>
+        <source>Photograph</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Pick an edge to see its partner.</source>
         <translation>Choisissez un bord pour voir son partenaire.</translation>
     </message>
@@ -3767,6 +4191,10 @@
         <translation>Les images demandent OpenCV, qui manque ou ne marche pas ici. Installez le paquet python3-opencv (ou opencv-python-headless), ou ouvrez l'image dans FreeCAD.</translation>
     </message>
     <message>
+        <source>Pictures of the work</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Pieces of the side band cannot be {0} long. Give 0 or more.</source>
         <translation>Les pièces de la bande latérale ne peuvent pas avoir {0} de long. Donnez 0 ou plus.</translation>
     </message>
@@ -3777,6 +4205,10 @@
     <message>
         <source>Pieces: {}, on {}, {} used</source>
         <translation>Pièces : {}, sur {}, {} utilisés</translation>
+    </message>
+    <message>
+        <source>Pixels</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Place</source>
@@ -3855,6 +4287,10 @@
         <translation>Pochette</translation>
     </message>
     <message>
+        <source>Power</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Predicted from the outline; not inflated yet.</source>
         <translation>Prévu d'après le contour ; pas encore gonflé.</translation>
     </message>
@@ -3887,6 +4323,10 @@
         <translation>Imprimez à 100 % (« taille réelle »). La barre ci-dessous doit mesurer 100 mm.</translation>
     </message>
     <message>
+        <source>Print shop (PDF with CutContour)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Print {0} at {1} dpi, all panels</source>
         <translation>Impression de {0} à {1} dpi, tous les panneaux</translation>
     </message>
@@ -3905,6 +4345,10 @@
     <message>
         <source>Pull the paper. The middle button, or the space bar, does it with every tool; the wheel zooms.</source>
         <translation>Tirez la feuille. Le bouton du milieu ou la barre d'espace le font avec tout outil ; la molette zoome.</translation>
+    </message>
+    <message>
+        <source>Pull the straw out and seal straight across the neck, beside the balloon.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Push a straw in, fill, pull it out and close the neck like the seam, straight across beside the balloon.</source>
@@ -3939,6 +4383,10 @@
         <translation>Lire un maillage demande scipy : l’installer avec pip install scipy.</translation>
     </message>
     <message>
+        <source>Reads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Ready body</source>
         <translation>Corps prêt</translation>
     </message>
@@ -3959,6 +4407,14 @@
         <translation>Rétablir (Ctrl+Y)</translation>
     </message>
     <message>
+        <source>Remnant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remnants</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Repair</source>
         <translation>Réparer</translation>
     </message>
@@ -3967,8 +4423,16 @@
         <translation>La réparation {0} est illisible : effacez-la de « Repairs ».</translation>
     </message>
     <message>
+        <source>Replace it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Replace the file</source>
         <translation>Remplacer le fichier</translation>
+    </message>
+    <message>
+        <source>Replace the files</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Result</source>
@@ -3987,6 +4451,10 @@
         <translation>Résultats écrits dans {}</translation>
     </message>
     <message>
+        <source>Rim</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Ring</source>
         <translation>Anneau</translation>
     </message>
@@ -3997,6 +4465,18 @@
     <message>
         <source>Ring that warps</source>
         <translation>Anneau qui se gauchit</translation>
+    </message>
+    <message>
+        <source>Roland with crop marks (vinyl cutter)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Round pieces up to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Round the print the marks span</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Round this hole the balloon may kink: with a weld creased to {percent} of its stiffness the outline moves by up to {length}; with one {wanted} wide, creased as much, by {less}.</source>
@@ -4029,6 +4509,10 @@
     <message>
         <source>Rows: {0}, without a balloon: {1}</source>
         <translation>Lignes : {0}, sans ballon : {1}</translation>
+    </message>
+    <message>
+        <source>S at full power</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>STL, OBJ, PLY, 3MF or STEP</source>
@@ -4075,6 +4559,10 @@
         <translation>Échantillons : {0}, dont échoués : {1}, pas au repos : {2}</translation>
     </message>
     <message>
+        <source>Save files…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Save results</source>
         <translation>Enregistrer les résultats</translation>
     </message>
@@ -4105,6 +4593,22 @@
     <message>
         <source>Seal a disc on each point where four panels or more meet.</source>
         <translation>Soudez un disque sur chaque point où quatre panneaux ou plus se rejoignent.</translation>
+    </message>
+    <message>
+        <source>Seal across the neck along its line, through panels and strips. The field keeps the channel open.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seal the lines inside.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seal the outline, {seal} wide, all but the mouth of the neck.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seal the outline, {seal} wide, all the way round.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Seal the seams in the order of the pictures along the dashed line, {seal} wide, from end to end.</source>
@@ -4303,12 +4807,24 @@
         <translation>Placer l'ouverture</translation>
     </message>
     <message>
+        <source>Set up machines of your own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Shadows on the background were taken off.</source>
         <translation>Les ombres sur le fond ont été enlevées.</translation>
     </message>
     <message>
         <source>Shape that stays flat</source>
         <translation>Forme qui reste plate</translation>
+    </message>
+    <message>
+        <source>Share of the feed near corners and in narrow bends</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of the laser's full power; empty: not known yet</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Sheet length</source>
@@ -4363,6 +4879,10 @@
         <translation>Erreur de silhouette, moyenne</translation>
     </message>
     <message>
+        <source>Silhouette from Inkscape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Silhouette off the drawing</source>
         <translation>Écart de la silhouette au dessin</translation>
     </message>
@@ -4385,6 +4905,10 @@
     <message>
         <source>Size from</source>
         <translation>Taille d'après</translation>
+    </message>
+    <message>
+        <source>Size unknown</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>So far it is a line. Close it, or paint an area, and it becomes a balloon.</source>
@@ -4411,8 +4935,32 @@
         <translation>Espacement</translation>
     </message>
     <message>
+        <source>Spindle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Split over beds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Split over beds of {0}, the pattern leaves no waste film for two crosses {1} apart by which it is laid on anew: choose a larger bed, or lay the pieces out on sheets.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Spot in 16 panels</source>
         <translation>La vache Spot en 16 panneaux</translation>
+    </message>
+    <message>
+        <source>Start values for welding: {0} ({1}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start values, not tried on your film and tool: {start_values} ({start_sources}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stated is: {0} ({1}).</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Steps</source>
@@ -4443,6 +4991,10 @@
         <translation>Arrêt en cours ...</translation>
     </message>
     <message>
+        <source>Straight from the front, from far away, on a plain background of another colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Straw neck</source>
         <translation>Col à paille</translation>
     </message>
@@ -4467,6 +5019,18 @@
         <translation>Étude</translation>
     </message>
     <message>
+        <source>Such as Tip for PE</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Summa with OPOS (vinyl cutter)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Summa with OPOS XY (vinyl cutter)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Symmetry</source>
         <translation>Symétrie</translation>
     </message>
@@ -4477,6 +5041,14 @@
     <message>
         <source>Tab to tie it to</source>
         <translation>Languette d'attache</translation>
+    </message>
+    <message>
+        <source>Tabs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tabs are left by a machine that cuts: give --machine too, and one that does.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Tacked to one panel</source>
@@ -4547,12 +5119,28 @@
         <translation>Corps visé</translation>
     </message>
     <message>
+        <source>Temperature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Temperatures need scipy: install it with pip install scipy.</source>
         <translation>Les températures demandent scipy : installez-le par pip install scipy.</translation>
     </message>
     <message>
         <source>Tension field</source>
         <translation>Champ de tension</translation>
+    </message>
+    <message>
+        <source>Test card</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Test card written to {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Test cards</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>That of the front</source>
@@ -4791,6 +5379,10 @@
         <translation>Le ballon dont la soudure se froisse n'est pas arrivé au repos ; ce qui en est dit vaut pour son dernier bon état.</translation>
     </message>
     <message>
+        <source>The bar of {0} does not fit between marks that are {1} apart: make the balloon larger, or print several beside each other.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The bending floor must be between 0 and 1, not {0}. Usual is {1}.</source>
         <translation>Le plancher de flexion doit être entre 0 et 1, pas {0}. L'usage est {1}.</translation>
     </message>
@@ -4835,6 +5427,10 @@
         <translation>Le corps du profil a {0} de haut et {1} de large : aucun ballon n'est si plat. Dessinez son profil plus haut, ou faites-le de deux panneaux.</translation>
     </message>
     <message>
+        <source>The camera finds the dots round a print, on the layer Register; the fifth tells how the sheet lies. The layer Register is not cut.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The caps are too large for the ball. Choose a smaller diameter for them.</source>
         <translation>Les calottes sont trop grandes pour la balle. Choisissez-leur un diamètre plus petit.</translation>
     </message>
@@ -4853,6 +5449,14 @@
     <message>
         <source>The connection to {0} ended before the whole native solver had come. Try again. {1}</source>
         <translation>La connexion à {0} s'est terminée avant que tout le solveur natif soit arrivé. Réessayez. {1}</translation>
+    </message>
+    <message>
+        <source>The cutter finds the four discs round a print itself. VersaWorks prints discs of its own: give it the PDF for print and cut instead. The layer REGISTRATION is not cut.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cutter finds the squares at both sides of a print itself, on the layer Regmark, which is not cut. Set their size of 3 mm and their distances there, where its program does not read them. Feed the sheet with its lower edge first.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The drawing cannot be reached everywhere: the silhouette is up to {} off it.</source>
@@ -4979,8 +5583,20 @@
         <translation>L'export des patrons</translation>
     </message>
     <message>
+        <source>The file of what is left of another layout: pieces are laid inside it first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file test-card.json that was written with the card</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The file {0} is of no use: {1}. Install it anew.</source>
         <translation>Le fichier {0} est inutilisable : {1}. Réinstallez-le.</translation>
+    </message>
+    <message>
+        <source>The files that it, or its program, opens</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The film '{0}' has no mass. Give its areal density.</source>
@@ -5047,8 +5663,8 @@
         <translation>Le dossier « {0} » a disparu : rétablissez-le ou choisissez-en un autre, et relancez l'étude.</translation>
     </message>
     <message>
-        <source>The free edition opens DXF, not SVG. Choose "as is" for the size in the import preferences. Silhouette makes its own registration marks, and adds the knife's offset and overcut. Nothing is in the file that may not be cut.</source>
-        <translation>L'édition gratuite ouvre le DXF, pas le SVG. Choisissez « tel quel » pour la taille dans les préférences d'import. Silhouette fait ses propres repères, et ajoute le décalage et le dépassement de la lame. Il n'y a rien dans le fichier qui ne puisse être coupé.</translation>
+        <source>The free edition opens DXF, not SVG. Choose "as is" for the size in the import preferences. Silhouette adds the knife's offset and overcut. Nothing is in the file that may not be cut. Studio draws registration marks itself, print them from there; or set page A4, inset 10 mm, length 8.4 mm and thickness 1 mm there and lay the file's marks on them, not to be cut: a print has the same. Nothing is cut outside them.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The goal has {0} combinations to choose from, of which each is tried: list 1 to {1}.</source>
@@ -5215,6 +5831,10 @@
         <translation>Il manque {1} au fichier de machine {0} : ajoutez-le.</translation>
     </message>
     <message>
+        <source>The machine that finds the print again by its registration marks, printed round it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The mesh has a triangle with a point that is not there. Save it once more.</source>
         <translation>Le maillage a un triangle avec un point qui n'existe pas. Enregistrez-le à nouveau.</translation>
     </message>
@@ -5285,6 +5905,10 @@
     <message>
         <source>The nozzle's flange must be wider than its bore.</source>
         <translation>La collerette de la buse doit être plus large que son alésage.</translation>
+    </message>
+    <message>
+        <source>The number that the controller takes for full power: $30 of GRBL</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The opening is at point {0} of panel '{1}', whose points are 0 to {2}. Choose one of them.</source>
@@ -5423,6 +6047,10 @@
         <translation>L'image a été lue comme un dessin au trait : l'intérieur de ses lignes est rempli.</translation>
     </message>
     <message>
+        <source>The picture, and all figures as JSON</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The pieces of the intake "{0}" are cut from {1}: they have a file of their own, with all of them for each balloon.</source>
         <translation>Les pièces de l'embout « {0} » se coupent dans {1} : elles ont un fichier à part, avec toutes les pièces pour chaque ballon.</translation>
     </message>
@@ -5443,6 +6071,14 @@
         <translation>Le plan par {0} ne rencontre pas le corps.</translation>
     </message>
     <message>
+        <source>The plotter finds the marks of a print itself. Set mark type 1 and a size of 10 mm there. The layer REGISTRATION is not cut. The knife's offset belongs into the plotter.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The plotter finds the marks of a print itself. Set shape 1 and a size of 10 mm there. FineCut takes marks only that it made itself: let it make them in the place of these. The layer REGISTRATION is not cut.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The pressure at the lower end must be 0 or more.</source>
         <translation>La pression à l'extrémité basse doit être 0 ou plus.</translation>
     </message>
@@ -5459,8 +6095,24 @@
         <translation>L'image d'aperçu demande matplotlib : installez-le par pip install matplotlib.</translation>
     </message>
     <message>
+        <source>The print has {0}, and {1} looks for others: print once more with its marks ({2}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The print measures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The print measures {0}, and between the marks of {1} there are {2} on paper of {3}: make the balloon smaller, or give larger paper as page_mm of the marks in a file of your machine.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The print on film</source>
         <translation>L'impression sur film</translation>
+    </message>
+    <message>
+        <source>The print reaches into the marks of {0}, or comes nearer than {1}: make the balloon smaller, or give larger paper as page_mm of the marks in a file of your machine.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The profile crosses or touches itself at {0}. Draw a simple line.</source>
@@ -5503,12 +6155,28 @@
         <translation>Le rayon du dégagement d'angle doit être 0 ou plus.</translation>
     </message>
     <message>
+        <source>The remnant is of {0} film, and no piece here is cut from that.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The remnant {0} is of no use: {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The remnant {0} lacks {1}: add it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The repair at {0} no longer fits, {1}: take it back or draw that part anew.</source>
         <translation>La réparation en {0} ne convient plus, {1} : annulez-la ou redessinez cette partie.</translation>
     </message>
     <message>
         <source>The rest of the job</source>
         <translation>Le reste</translation>
+    </message>
+    <message>
+        <source>The rim is the width of the weld and of the film beside it: give 0 to 1 m.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The row has more cells than there are columns: leave out what is too much.</source>
@@ -5521,6 +6189,10 @@
     <message>
         <source>The same in all rows</source>
         <translation>Identique dans toutes les lignes</translation>
+    </message>
+    <message>
+        <source>The same length as it is, such as 300 mm</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The scale '{0}' cannot be used: {1}.</source>
@@ -5891,8 +6563,12 @@
         <translation>Il peut y avoir de 1 à {0} copies, pas {1}.</translation>
     </message>
     <message>
-        <source>There is a machine {0} of your own: give another --name, or delete its file.</source>
-        <translation>Il y a déjà une machine {0} à vous : donnez un autre --name, ou supprimez son fichier.</translation>
+        <source>There is a film {0} already: say that it may be replaced.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is a machine {0} already: give this one another name.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>There is advice about two equal panels only: of many, the warnings tell.</source>
@@ -6047,6 +6723,10 @@
         <translation>Épaisseur du trait ([ plus fin, ] plus épais)</translation>
     </message>
     <message>
+        <source>This OpenCV writes no MP4: take --animation gif, or install opencv-python-headless with pip.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>This Python has no working ctypes module, which SciPy and the native solver need: patterns can be changed and written, but no balloon can be inflated anew. Take another build of FreeCAD or of Python.</source>
         <translation>Ce Python n'a pas de module ctypes qui marche, dont SciPy et le solveur natif ont besoin : les patrons peuvent être modifiés et écrits, mais aucun ballon ne peut être gonflé de nouveau. Prenez une autre version compilée de FreeCAD ou de Python.</translation>
     </message>
@@ -6139,6 +6819,14 @@
         <translation>Cette pointe reste plate sur {length} : elle est trop effilée. Arrondissez-la au rayon de {wanted}.</translation>
     </message>
     <message>
+        <source>Tie a ribbon round the neck, and to it a weight heavier than the {lift} that {gas} lifts. No metallic ribbon on foil, never let it fly.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tie a ribbon round the neck, to hang it up or to hold it: it does not float.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Tip that stays flat</source>
         <translation>Pointe qui reste plate</translation>
     </message>
@@ -6147,8 +6835,24 @@
         <translation>À</translation>
     </message>
     <message>
+        <source>To cut, your settings of {cut_machine}: {cut}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To let the gas out, cut the seal across the neck off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To let the gas out, push a straw in through the neck until it hisses, and press gently. Keep the balloon flat, not folded: it can be filled again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>To this value, with its unit</source>
         <translation>À cette valeur, avec son unité</translation>
+    </message>
+    <message>
+        <source>To weld, your settings of {weld_machine}: {weld}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Tolerances are worked out for two equal panels of one shape: </source>
@@ -6163,8 +6867,16 @@
         <translation>Trop d'échantillons n'ont pas pu être faits pour dire quelle pression 95 ballons sur 100 supportent.</translation>
     </message>
     <message>
+        <source>Tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Tool paths</source>
         <translation>Parcours d'outil</translation>
+    </message>
+    <message>
+        <source>Tool paths are not split over beds: write the G-code, or choose a larger bed.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Tool paths, no file</source>
@@ -6203,12 +6915,20 @@
         <translation>Triangles qui en croisaient d'autres, découpés, et les trous refermés : {0}.</translation>
     </message>
     <message>
+        <source>True length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Try temperature and time on two scraps: the weld must stretch or tear before it opens.</source>
         <translation>Essayez température et durée sur deux chutes : la soudure doit s'étirer ou se déchirer avant de s'ouvrir.</translation>
     </message>
     <message>
         <source>Turns</source>
         <translation>Se rabat</translation>
+    </message>
+    <message>
+        <source>Turns a minute; empty: not known yet</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Twelve panels that follow a solid: change its sizes in the spreadsheet</source>
@@ -6259,12 +6979,20 @@
         <translation>Des erreurs uniformes le long d'une couture demandent scipy : pip install scipy.</translation>
     </message>
     <message>
+        <source>Unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit of the numbers in its files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Unknown</source>
         <translation>Inconnu</translation>
     </message>
     <message>
-        <source>Upload the SVG as a cut image and compare the control bar: some versions read the size at 72 dpi. Nothing is in the file that may not be cut. It adds the knife's offset and overcut itself.</source>
-        <translation>Téléversez le SVG comme image de coupe et comparez la barre de contrôle : certaines versions lisent la taille à 72 dpi. Il n'y a rien dans le fichier qui ne puisse être coupé. Le programme ajoute lui-même le décalage et le dépassement de la lame.</translation>
+        <source>Upload the SVG as a cut image and compare the control bar: some versions read the size at 72 dpi. Nothing is in the file that may not be cut. It adds the knife's offset and overcut itself. Design Space prints marks of its own (Print Then Cut), round at most 183 x 270 mm on A4: a print has none, and is refused where it is larger.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Upper end</source>
@@ -6359,6 +7087,10 @@
         <translation>Soudure et coupe</translation>
     </message>
     <message>
+        <source>Weld overrun</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Weld rigidity</source>
         <translation>Rigidité de la soudure</translation>
     </message>
@@ -6395,6 +7127,18 @@
         <translation>Se soude facilement à la soudeuse à impulsion ou au fer. Cède vers 9 MPa, la moitié de sa résistance, et flue : gardez la pression basse.</translation>
     </message>
     <message>
+        <source>What is cut is a line in the spot colour CutContour, which prints over the picture and leaves no gap in it. With artwork both are in artwork-print-and-cut-pdf.pdf. The shop's program adds marks of its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What it can work on, such as 600 x 400 mm, or 600 mm for a roll; empty where there is no limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What it holds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>What it takes to make it</source>
         <translation>Ce qu'il faut pour le faire</translation>
     </message>
@@ -6425,6 +7169,10 @@
     <message>
         <source>What works here</source>
         <translation>Ce qui marche ici</translation>
+    </message>
+    <message>
+        <source>What you want to read when you choose this machine, such as film and separating layer</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>What {0} sent is not the native solver of this release: its SHA-256 is another one. It was not kept. {1}</source>
@@ -6469,6 +7217,10 @@
     <message>
         <source>Width hidden in wrinkles</source>
         <translation>Largeur cachée dans les plis</translation>
+    </message>
+    <message>
+        <source>Width of film that the beam or cutter takes away: cuts are moved outward by half of it</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Width of the balloon when it is inflated</source>
@@ -6539,6 +7291,10 @@
         <translation>Écrire les fichiers…</translation>
     </message>
     <message>
+        <source>Write several files, each as large as the bed. Crosses in waste film tell how the film is laid on anew for the next one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Write the file although it is larger than the bed</source>
         <translation>Écrire le fichier bien qu'il soit plus grand que le plateau</translation>
     </message>
@@ -6575,6 +7331,10 @@
         <translation>L'écriture de PDF a besoin de matplotlib : installez-le avec pip install matplotlib, ou prenez le fichier SVG.</translation>
     </message>
     <message>
+        <source>Writing the test card</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Writing {0}</source>
         <translation>Écriture de {0}</translation>
     </message>
@@ -6597,6 +7357,10 @@
     <message>
         <source>Young's modulus of the film</source>
         <translation>Module d'Young du film</translation>
+    </message>
+    <message>
+        <source>Zünd Cut Center (flat bed)</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>["200mm", "300mm"], {"linspace": ["1kPa", "3kPa", 5]} with how many, {"range": [6, 12, 2]} with the step, {"between": ["1kPa", "3kPa"]} for samples, or {"glob": "drawings/*.png"}</source>
@@ -6633,6 +7397,10 @@
     <message>
         <source>a length</source>
         <translation>une longueur</translation>
+    </message>
+    <message>
+        <source>a loop is no list of at least three points [x, y].</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a mass</source>
@@ -6747,6 +7515,10 @@
         <translation>dos</translation>
     </message>
     <message>
+        <source>baking paper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>balloon {0} of {1}</source>
         <translation>ballon {0} sur {1}</translation>
     </message>
@@ -6763,8 +7535,12 @@
         <translation>ballons</translation>
     </message>
     <message>
-        <source>bed_mm is {0}: give [width, height], or null where there is no limit.</source>
-        <translation>bed_mm est {0} : donnez [largeur, hauteur], ou null s'il n'y a pas de limite.</translation>
+        <source>bar or iron {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bed_mm is {0}: give [width, height], [width, null] for a roll, or null where there is no limit.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>both lie on borders of one piece</source>
@@ -6781,6 +7557,10 @@
     <message>
         <source>connecting</source>
         <translation>connexion</translation>
+    </message>
+    <message>
+        <source>crosses for the eye</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>cut</source>
@@ -6915,6 +7695,10 @@
         <translation>pointe chaude</translation>
     </message>
     <message>
+        <source>hot tip at {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>hot wheel</source>
         <translation>roue chaude</translation>
     </message>
@@ -6975,6 +7759,10 @@
         <translation>il finit trop tôt.</translation>
     </message>
     <message>
+        <source>it has {0} shapes: give 1 to {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>it is nested too deeply</source>
         <translation>il est imbriqué trop profondément</translation>
     </message>
@@ -7003,6 +7791,10 @@
         <translation>son en-tête n'a pas de fin.</translation>
     </message>
     <message>
+        <source>its lines cross or touch: give the edge of one piece of film, and its holes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>its points have lists.</source>
         <translation>ses points ont des listes.</translation>
     </message>
@@ -7025,6 +7817,10 @@
     <message>
         <source>layer {0} of the LightBurn project has two speeds or powers: give its roles one.</source>
         <translation>le calque {0} du projet LightBurn a deux vitesses ou puissances : donnez-en une seule à ses rôles.</translation>
+    </message>
+    <message>
+        <source>laying out</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>laying out, {0} so far</source>
@@ -7059,6 +7855,10 @@
         <translation>levée de l'outil</translation>
     </message>
     <message>
+        <source>line_mm of marks is {0}, and size_mm {1}: a line is at most half as wide as its mark.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>loose: {}</source>
         <translation>détendu : {}</translation>
     </message>
@@ -7075,6 +7875,22 @@
         <translation>la création du document</translation>
     </message>
     <message>
+        <source>marks is {0}: give {"style": ...}, or leave it out for crosses.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>marks of size_mm {0} and inset_mm {1} do not fit on a page_mm of {2}: give a larger page or smaller marks.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>marks of style {0} have no "{1}": only {2}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>marks of style {0} lack {1}: add it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>mass</source>
         <translation>masse</translation>
     </message>
@@ -7089,6 +7905,10 @@
     <message>
         <source>more than</source>
         <translation>plus de</translation>
+    </message>
+    <message>
+        <source>moved at {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>name a property of the balloon</source>
@@ -7127,6 +7947,10 @@
         <translation>personne ne connaît « {0} » : ce peut être {1}.</translation>
     </message>
     <message>
+        <source>nobody knows the start value "{0}": it may be one of {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>not converged: </source>
         <translation>non convergé : </translation>
     </message>
@@ -7135,8 +7959,20 @@
         <translation>encoche</translation>
     </message>
     <message>
+        <source>nothing is left that is large enough to be used again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>number for full power</source>
         <translation>nombre pour la pleine puissance</translation>
+    </message>
+    <message>
+        <source>on a remnant of</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>only a PDF has spot colours: give "format": "pdf", or leave them out.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>opacity</source>
@@ -7145,6 +7981,10 @@
     <message>
         <source>outline</source>
         <translation>contour</translation>
+    </message>
+    <message>
+        <source>outward of marks is {0}: write true or false.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>over</source>
@@ -7159,12 +7999,20 @@
         <translation>passes de {0} est {1} : donnez un nombre entier.</translation>
     </message>
     <message>
+        <source>pieces {0}, {1} {2}, {3} used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>place "{0}" is neither {1} nor {2}.</source>
         <translation>place « {0} » n'est ni {1} ni {2}.</translation>
     </message>
     <message>
         <source>power</source>
         <translation>puissance</translation>
+    </message>
+    <message>
+        <source>pressed for {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>pressure</source>
@@ -7179,8 +8027,16 @@
         <translation>impression</translation>
     </message>
     <message>
+        <source>reading the photograph</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>reading the solid</source>
         <translation>la lecture du solide</translation>
+    </message>
+    <message>
+        <source>remnants {0}, {1}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>right</source>
@@ -7211,6 +8067,10 @@
         <translation>taille {0}, {1}</translation>
     </message>
     <message>
+        <source>speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>speed of the spindle</source>
         <translation>vitesse de la broche</translation>
     </message>
@@ -7219,12 +8079,24 @@
         <translation>broche</translation>
     </message>
     <message>
+        <source>square_mm of marks is larger than size_mm, {0}: make it smaller.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>stale: </source>
         <translation>périmé : </translation>
     </message>
     <message>
         <source>stale: belongs to earlier values</source>
         <translation>périmé : appartient à des valeurs antérieures</translation>
+    </message>
+    <message>
+        <source>start_values are of films that are welded by heat: give "joining": "heat" too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>start_values are {0}: give the values with their sources, or leave them out.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>stopped; {0}.</source>
@@ -7267,6 +8139,10 @@
         <translation>température après le gonflage</translation>
     </message>
     <message>
+        <source>test-card.json</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the answer is not HTTP</source>
         <translation>la réponse n'est pas du HTTP</translation>
     </message>
@@ -7303,12 +8179,16 @@
         <translation>la dernière ligne de chaque pièce est son CUT.</translation>
     </message>
     <message>
-        <source>the layer name "{0}" may have 1 to 31 of A-Z, 0-9, _, - and $ only.</source>
-        <translation>le nom de calque « {0} » peut avoir de 1 à 31 signes parmi A-Z, 0-9, _, - et $.</translation>
+        <source>the layer name "{0}" may have 1 to 31 of A-Z, a-z, 0-9, _, - and $ only.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the layer {0} lacks {1}: give speed and power together, or neither.</source>
         <translation>il manque {1} au calque {0} : donnez vitesse et puissance ensemble, ou aucune des deux.</translation>
+    </message>
+    <message>
+        <source>the marks of {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the name "{0}" of the stock goes into file names: take letters a to z.</source>
@@ -7321,6 +8201,18 @@
     <message>
         <source>the sealing side {0} is no polymer: give one such as "PE", or "none".</source>
         <translation>la face soudable {0} n'est pas un polymère : donnez par exemple « PE », ou « none ».</translation>
+    </message>
+    <message>
+        <source>the separating layer "{0}" is none of {1}: take one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the spot colour "{0}" may have letters, digits, _ and - only.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the style of marks</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the tool "{0}" is none of {1}.</source>
@@ -7343,6 +8235,10 @@
         <translation>il n'y a pas de telle partie</translation>
     </message>
     <message>
+        <source>there is no unit "{0}": write "mm".</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>thickness</source>
         <translation>épaisseur</translation>
     </message>
@@ -7353,6 +8249,10 @@
     <message>
         <source>thin PE film, 30 to 50 µm</source>
         <translation>film PE mince, 30 à 50 µm</translation>
+    </message>
+    <message>
+        <source>through a layer of {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>tight: {}</source>
@@ -7479,6 +8379,10 @@
         <translation>{0} ne peut pas être « {1} » : {2}</translation>
     </message>
     <message>
+        <source>{0} cannot be deleted: {1}. See who may write there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} cannot be loaded ({1}).</source>
         <translation>{0} ne peut pas être chargé ({1}).</translation>
     </message>
@@ -7489,6 +8393,10 @@
     <message>
         <source>{0} cannot be varied: choose a number, a word or a choice.</source>
         <translation>{0} ne peut pas varier : prenez un nombre, un mot ou un choix.</translation>
+    </message>
+    <message>
+        <source>{0} cannot make crosses in the film to lay it on anew (layer REGISTRATION): choose another machine, or make the balloon smaller.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} cannot work: {1}</source>
@@ -7521,6 +8429,10 @@
     <message>
         <source>{0} gaps between the lines closed, the widest {1} of the drawing's width.</source>
         <translation>{0} écarts entre les lignes fermés, le plus large {1} de la largeur du dessin.</translation>
+    </message>
+    <message>
+        <source>{0} goes up to {1}, and {2} bears {3}: give less.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} has a point that is no number or farther away than {1}. Check its coordinates and the unit.</source>
@@ -7775,12 +8687,28 @@
         <translation>{0} est {1} : donnez un nombre de {2} à {3}.</translation>
     </message>
     <message>
+        <source>{0} is {1}: give a number, or [least, most].</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} is {1}: give a number.</source>
         <translation>{0} est {1} : donnez un nombre.</translation>
     </message>
     <message>
+        <source>{0} is {1}: give numbers from {2} to {3}, the smaller one first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} is {1}: write it as {"value": ..., "source": "who says so"}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} is {1}: write true or false.</source>
         <translation>{0} est {1} : écrivez true ou false.</translation>
+    </message>
+    <message>
+        <source>{0} lacks its source: write who states it. What nobody states is left out.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} left out ({1}).</source>
@@ -7833,6 +8761,14 @@
     <message>
         <source>{0} of its size</source>
         <translation>{0} de sa taille</translation>
+    </message>
+    <message>
+        <source>{0} of marks is {1}: give [width, height], or leave it out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} of marks is {1}: give a number from {2} to {3}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} of {1} cannot be {2}: take another value.</source>
@@ -7939,8 +8875,24 @@
         <translation>{0} avec une valve de {1}</translation>
     </message>
     <message>
+        <source>{0} {1}, and {2} takes at most {3}: make the balloon smaller, or print and cut it on another machine.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0}, inflated: {1}</source>
         <translation>{0}, gonflé : {1}</translation>
+    </message>
+    <message>
+        <source>{0}: '{1}' is no number, write one such as 20.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: it is split over several files. Cut them in their order, and lay the film on anew each time so that its crosses are where the next file has them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: its file lacks {1}: add it.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0}: lay its pieces out on sheets of that size, make the balloon smaller, or write the file anyway.</source>
@@ -7951,16 +8903,20 @@
         <translation>{0} : réduisez le ballon, choisissez une autre machine ou un autre papier, ou faites écrire le fichier quand même.</translation>
     </message>
     <message>
-        <source>{0}: pieces {1}, on {2}, {3} used</source>
-        <translation>{0} : pièces {1}, sur {2}, {3} utilisés</translation>
-    </message>
-    <message>
         <source>{0}: the file is written anyway.</source>
         <translation>{0} : le fichier est écrit quand même.</translation>
     </message>
     <message>
         <source>{0}: what changes it most</source>
         <translation>{0} : ce qui compte le plus</translation>
+    </message>
+    <message>
+        <source>{0}: {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: {1} mm is out of range, give {2} to {3} mm.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0}; wider than the usual roll</source>
@@ -7981,6 +8937,10 @@
     <message>
         <source>{0}{1} has no length. Take one of its points out.</source>
         <translation>{0}{1} n'a pas de longueur. Retirez l'un de ses points.</translation>
+    </message>
+    <message>
+        <source>{} (unusable)</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{} ({})</source>
@@ -8011,6 +8971,14 @@
         <translation>{} dedans</translation>
     </message>
     <message>
+        <source>{} is among the films</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} is among the machines of Export pattern</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{} is in the tree</source>
         <translation>{} est dans l'arborescence</translation>
     </message>
@@ -8021,6 +8989,10 @@
     <message>
         <source>{} is there already: tick "Replace the file", or give another name.</source>
         <translation>{} existe déjà : cochez « Remplacer le fichier », ou donnez un autre nom.</translation>
+    </message>
+    <message>
+        <source>{} is there already: tick "Replace the files", or choose another folder.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{} ms, {}, frame {} of {}</source>
@@ -8167,6 +9139,17 @@
     </message>
 </context>
 <context>
+    <name>BalloonWorkbench_Compare</name>
+    <message>
+        <source>Compare with a photograph</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lay a photograph of the finished balloon over the simulated one, and see how near it came</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>BalloonWorkbench_Equipment</name>
     <message>
         <source>Show the solver in use, and which packages are missing and what that costs</source>
@@ -8255,6 +9238,17 @@
     </message>
 </context>
 <context>
+    <name>BalloonWorkbench_Machines</name>
+    <message>
+        <source>My machines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set up cutters, lasers, sealers and printers of your own: bed, file format, kerf, knife and tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>BalloonWorkbench_Nest</name>
     <message>
         <source>Lay out on film</source>
@@ -8285,6 +9279,17 @@
     <message>
         <source>Work out many variants of a balloon from a spreadsheet, and compare them</source>
         <translation>Calculer de nombreuses variantes d'un ballon à partir d'une feuille de calcul, et les comparer</translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_TestCard</name>
+    <message>
+        <source>Find feed, power, temperature or depth of a tool for a film: weld or cut a card of fields</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Test card</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -15,7 +15,7 @@ import shapely
 from drawn_cuts import NAMES, made, pictured
 from gcode_reader import KNIFE, LASER, ROOM, held
 from test_export_cuts import COUNT
-from test_gcode_sweeps import pattern as swept_pattern
+from test_sweeps import pattern as swept_pattern
 
 from BalloonWorkbench.core.machines.machine import Machine, machine
 from BalloonWorkbench.core.machines.toolpaths import draw

@@ -14,7 +14,7 @@ from drawn_cuts import laid_out, letter, made
 from drawn_shapes import NAMED, TURN
 from gcode_reader import KNIFE, LASER, held, run
 from test_export_cuts import COUNT, READERS
-from test_gcode_sweeps import pattern as swept_pattern
+from test_sweeps import pattern as swept_pattern
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.machines.contour.tabs import with_tabs

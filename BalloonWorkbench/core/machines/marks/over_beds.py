@@ -94,7 +94,7 @@ def _beds(drawing: Toolpaths, bed: Floats) -> Iterator[_Bed]:
     size = np.array([drawing.width, drawing.height]) + 2.0 * _ROOM
     ways = []
     for length, side in zip(size.tolist(), bed.tolist()):
-        if length - 2.0 * _ROOM <= side:  # what reach there is, and no bed more
+        if length - 2.0 * _ROOM <= side:  # what room there is, and no bed more
             lows = np.array([max(-_ROOM, 0.5 * (length - side) - _ROOM)])
         else:
             lows = -_ROOM + np.linspace(0.0, length - side, _count(length, side))
