@@ -19,8 +19,8 @@ from BalloonWorkbench.app.properties import film as film_values
 from BalloonWorkbench.core.artwork.files import png_bytes
 from BalloonWorkbench.core.errors import ExportError, InputError
 from BalloonWorkbench.core.film.library import film
+from BalloonWorkbench.core.machines.own.keep import machine_data
 from BalloonWorkbench.core.nesting import nest as nesting
-from BalloonWorkbench.core.test_cards.keep import machine_data
 
 HEART = Path("resources/examples/pictures/heart.png").resolve()
 
