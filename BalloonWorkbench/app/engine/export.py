@@ -114,14 +114,7 @@ def export_for(
     from BalloonWorkbench.app.border import hooks
     from BalloonWorkbench.core.files.write import write_files
     from BalloonWorkbench.core.machines.bed import OVERSIZE, SCALE
-    from BalloonWorkbench.core.machines.machine_file import (
-        drawing_file,
-        drawings,
-        file_of_stock,
-        machine_file,
-        numbered_file,
-    )
-    from BalloonWorkbench.core.machines.preflight import ERROR, preflight
+    from BalloonWorkbench.core.machines.machine_file import file_of_stock
 
     if oversize not in OVERSIZE:
         raise InputError(
@@ -138,20 +131,38 @@ def export_for(
     def contents(progress) -> dict[str, bytes]:
         files = {}
         for number, stock in enumerate(pattern.stocks):
-            part = pattern.of_stock(stock)
-            for finding in (*doubts, *preflight(part, made_for, oversize)):
-                if finding.severity == ERROR:
-                    raise ExportError(finding.text)
             name = file_of_stock(path.name, stock) if number else path.name
-            if paper is not None:
-                files[name] = machine_file(part, made_for, paper, hooks.say)
-                continue
-            for place, drawing in enumerate(drawings(part, made_for, oversize), 1):
-                files[numbered_file(name, place)] = drawing_file(drawing, made_for, None, hooks.say)
+            files |= _files(name, pattern.of_stock(stock), made_for, (paper, oversize), doubts)
         return files
 
     write_files(path.parent, hooks.run_blocking(f"Writing {path.name}", contents))
     return path
+
+
+def _files(name: str, part, made_for, how: tuple, doubts) -> dict[str, bytes]:
+    """The file of what is cut from one film, or one for each place of the bed; how: paper and oversize.
+
+    Raises ExportError for the first error of the check, or of the doubts about it.
+    """
+    from BalloonWorkbench.app.border import hooks
+    from BalloonWorkbench.core.machines.machine_file import (
+        drawing_file,
+        drawings,
+        machine_file,
+        numbered_file,
+    )
+    from BalloonWorkbench.core.machines.preflight import ERROR, preflight
+
+    paper, oversize = how
+    for finding in (*doubts, *preflight(part, made_for, oversize)):
+        if finding.severity == ERROR:
+            raise ExportError(finding.text)
+    if paper is not None:
+        return {name: machine_file(part, made_for, paper, hooks.say)}
+    return {
+        numbered_file(name, place): drawing_file(drawing, made_for, None, hooks.say)
+        for place, drawing in enumerate(drawings(part, made_for, oversize), 1)
+    }
 
 
 def tool_paths(

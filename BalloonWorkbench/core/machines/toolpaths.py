@@ -146,7 +146,7 @@ def reach(pattern: Pattern, machine: Machine) -> tuple[Floats, Floats]:
     if machine.tool is None:
         return low, high
     least = max(_LEAST_ROOM, 2.0 * machine.knife_offset + machine.kerf)  # a corner takes more than half of it
-    room = max(_ROOM, least)
+    room = max(_ROOM, machine.knife_offset + machine.kerf)
     if pattern.film is None:
         return low - room, high + room
     return np.minimum(low - least, 0.0), np.maximum(high + least, np.minimum(high + room, pattern.film))

@@ -236,7 +236,7 @@ def test_what_fits_only_turned_is_turned_and_what_does_not_fit_is_refused() -> N
 @pytest.mark.parametrize(
     ("name", "wishes", "words"),
     [
-        ("grbl", ToolOptions(), ("feed and power of your laser", "--feed", "power_percent")),
+        ("grbl", ToolOptions(), ("feed and power of your laser", "--feed", "My machines")),
         ("grbl", ToolOptions("spindle", feed=1.0), ("speed of the spindle and depth",)),
         ("marlin", ToolOptions(feed=300.0), ("temperature and depth of your hot tip",)),
         ("linuxcnc", ToolOptions("hot-wheel", feed=9.0), ("depth of your hot wheel",)),

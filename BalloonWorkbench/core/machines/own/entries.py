@@ -239,7 +239,7 @@ def _in_format(data: Mapping[str, Any], kind: str, version: str = "") -> dict[st
     if held is not None:
         made["process"] = read_tool(held).process
     made["layers"] = {
-        role: {key: value for key, value in line.items() if key not in ("pen", *LASER_KEYS)}
+        role: {key: value for key, value in line.items() if key not in ("pen", "spot", *LASER_KEYS)}
         | ({"pen": number} if kind == "lbrn2" else {})
         for number, (role, line) in enumerate(made["layers"].items(), 1)
     }
