@@ -248,7 +248,7 @@ FIRST = {
     balloon_panel: "core.job.design_outline",
     picture: "core.tracing.segment.segment",
     pattern_panel: "core.pattern.make.make_pattern",
-    export: "core.machines.machine_file.machine_file",
+    export: "core.machines.machine_file.drawing_file",
     prints: "core.machines.marks.place.marked",
     nesting: "core.nesting.nest.nest",
     assembly: "core.assembly_sheet.page.assembly_pdf",
