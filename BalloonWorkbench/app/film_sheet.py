@@ -37,7 +37,6 @@ PROPERTIES = (
     Property("Integer", "Shown", "Film", "Number of the sheet that is shown and exported", 1),
     result("Float", "Used", "Part of the film that the pieces take, in per cent"),
     result("Length", "UsedLength", "Length of the roll that is used"),
-    result("Length", "UsedWidth", "Width of the film of what is shown"),
     result("Integer", "Sheets", "Number of sheets"),
     result("Integer", "Pieces", "Number of pieces on what is shown"),
     result("Length", "SeamLength", "Length of all welds on it"),
@@ -160,7 +159,6 @@ def show(obj, pieces, stock) -> None:
     edges = [wire(np.asarray(ring.coords)[:-1], True) for ring in (film.exterior, *film.interiors)]
     obj.Shape = Part.Compound([*edges, *(wire(line.points, line.closed) for line in lines)])
     obj.Roles = [*([""] * len(edges)), *(line.role.value for line in lines)]
-    obj.UsedWidth = to_mm(layout.stock.width)
     obj.Used, obj.UsedLength = 100.0 * layout.utilisation, to_mm(layout.length)
     obj.Pieces, obj.Sheets = len(layout.places), len(json.loads(obj.Layouts))
     obj.SeamLength = to_mm(pattern.seam_length)

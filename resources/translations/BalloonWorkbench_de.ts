@@ -980,10 +980,6 @@
         <translation>Breite der Zeichnung; 0 folgt aus der Höhe</translation>
     </message>
     <message>
-        <source>Width of the film of what is shown</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Width of the inflated balloon</source>
         <translation>Breite des aufgeblasenen Ballons</translation>
     </message>

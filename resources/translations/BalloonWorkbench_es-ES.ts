@@ -980,10 +980,6 @@
         <translation>Anchura del dibujo; 0 se deduce de la altura</translation>
     </message>
     <message>
-        <source>Width of the film of what is shown</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Width of the inflated balloon</source>
         <translation>Anchura del globo inflado</translation>
     </message>

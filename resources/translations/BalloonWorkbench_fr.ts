@@ -980,10 +980,6 @@
         <translation>Largeur du dessin ; 0 se déduit de la hauteur</translation>
     </message>
     <message>
-        <source>Width of the film of what is shown</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Width of the inflated balloon</source>
         <translation>Largeur du ballon gonflé</translation>
     </message>

@@ -345,7 +345,7 @@
     </message>
     <message>
         <source>Lay panels first onto what is left of another layout, as its file says; the rest on the film</source>
-        <translation type="unfinished"></translation>
+        <translation>パネルをまず別の配置の残材（そのファイルのとおり）に並べ、残りをフィルムに並べる</translation>
     </message>
     <message>
         <source>Least bending stiffness, in units of the usual least one</source>
@@ -501,7 +501,7 @@
     </message>
     <message>
         <source>On which remnant each sheet is, -1 for none</source>
-        <translation type="unfinished"></translation>
+        <translation>各シートがどの残材にあるか（-1 はなし）</translation>
     </message>
     <message>
         <source>Only one side of this film can be joined so</source>
@@ -709,7 +709,7 @@
     </message>
     <message>
         <source>The machine that finds the print again by its registration marks; empty has crosses for the eye</source>
-        <translation type="unfinished"></translation>
+        <translation>位置合わせの印で印刷を見つける機械（空なら目で合わせる十字）</translation>
     </message>
     <message>
         <source>The outline whose drawing this one shares; empty: its own</source>
@@ -980,10 +980,6 @@
         <translation>図の幅（0 なら高さから決まる）</translation>
     </message>
     <message>
-        <source>Width of the film of what is shown</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Width of the inflated balloon</source>
         <translation>ふくらんだ風船の幅</translation>
     </message>
@@ -1096,7 +1092,7 @@
     </message>
     <message>
         <source>'{0}' cannot be the name of a machine: take up to 40 letters, digits, spaces and - only.</source>
-        <translation type="unfinished"></translation>
+        <translation>'{0}' は機械の名前に使えません。40 文字までの英数字、空白、- だけにしてください。</translation>
     </message>
     <message>
         <source>'{0}' has a column twice.</source>
@@ -1328,7 +1324,7 @@
     </message>
     <message>
         <source>--oversize scale makes the balloon smaller until it fits, --oversize split writes several files between which the film is moved, --oversize write writes the file anyway, --bed tells how large the bed is.</source>
-        <translation type="unfinished"></translation>
+        <translation>--oversize scale は収まるまで風船を小さくし、--oversize split はフィルムを置き直しながら使う複数のファイルを書き出し、--oversize write はそのまま書き出します。加工台の大きさは --bed で指定します。</translation>
     </message>
     <message>
         <source>--rim is the width of the weld and of the film beside it: give 0 to 1 m.</source>
@@ -1336,7 +1332,7 @@
     </message>
     <message>
         <source>--tabs-below is about tabs: give their width too, such as --tabs 0.4mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>--tabs-below はタブのための値です。--tabs 0.4mm のようにタブの幅も指定してください。</translation>
     </message>
     <message>
         <source>--target-volume and --target-lift decide the size: leave out --width and --height.</source>
@@ -1356,7 +1352,7 @@
     </message>
     <message>
         <source>A GIF needs Pillow: install it with pip install pillow.</source>
-        <translation type="unfinished"></translation>
+        <translation>GIF には Pillow が必要です。pip install pillow で入れてください。</translation>
     </message>
     <message>
         <source>A balloon has no "{0}": it has {1}.</source>
@@ -1368,7 +1364,7 @@
     </message>
     <message>
         <source>A bar is stated to weld {0} at {1}, this tool has {2}: peel a test card before you rely on it.</source>
-        <translation type="unfinished"></translation>
+        <translation>バーでは {0} は {1} で溶着するとされていますが、この工具は {2} です。頼りにする前に、テストカードをはがして確かめてください。</translation>
     </message>
     <message>
         <source>A bed is that of a machine: give --machine too.</source>
@@ -1380,7 +1376,7 @@
     </message>
     <message>
         <source>A bed of {0} is too small to lay so much film on anew: give a larger one, or make the balloon smaller.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} の加工台は、これだけのフィルムを置き直すには小さすぎます。もっと大きい加工台にするか、風船を小さくしてください。</translation>
     </message>
     <message>
         <source>A body cannot be made of {0} gores. Take {1} to {2}.</source>
@@ -1420,15 +1416,15 @@
     </message>
     <message>
         <source>A film of this name is there already</source>
-        <translation type="unfinished"></translation>
+        <translation>この名前のフィルムはすでにあります</translation>
     </message>
     <message>
         <source>A film of your own beside the balloon's, with what was found; it changes no pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>見つかった値を入れた自分のフィルムを、風船のフィルムとは別に作ります。型紙は変わりません</translation>
     </message>
     <message>
         <source>A fitted film is kept beside the numbers of a known one: choose the balloon's film in its panel.</source>
-        <translation type="unfinished"></translation>
+        <translation>合わせたフィルムは、既知のフィルムの数値に添えて残します。風船のフィルムをパネルで選んでください。</translation>
     </message>
     <message>
         <source>A fitted film is written beside the numbers of a known one: give it by --material.</source>
@@ -1456,11 +1452,11 @@
     </message>
     <message>
         <source>A hot tip is stated to weld {0} at {1}, this tool has {2}: peel a test card before you rely on it.</source>
-        <translation type="unfinished"></translation>
+        <translation>熱したこて先では {0} は {1} で溶着するとされていますが、この工具は {2} です。頼りにする前に、テストカードをはがして確かめてください。</translation>
     </message>
     <message>
         <source>A known length, in pixels of the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>分かっている長さ（画像のピクセル数）</translation>
     </message>
     <message>
         <source>A label has up to {0} letters, between 0.1 mm and 10 m high: change it.</source>
@@ -1544,7 +1540,7 @@
     </message>
     <message>
         <source>A print is not cut in parts: choose a machine with a larger bed than {0}, or make the balloon smaller.</source>
-        <translation type="unfinished"></translation>
+        <translation>印刷は分割して切れません。{0} より大きい加工台の機械を選ぶか、風船を小さくしてください。</translation>
     </message>
     <message>
         <source>A process beside this one does not start: {0}</source>
@@ -1556,7 +1552,7 @@
     </message>
     <message>
         <source>A remnant is left of a layout: give --nest too, such as --nest 500mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>残材は配置から残るものです。--nest 500mm のように --nest も指定してください。</translation>
     </message>
     <message>
         <source>A script needs to know how many shards it has: give --shards a number.</source>
@@ -1584,7 +1580,7 @@
     </message>
     <message>
         <source>A separating layer of PTFE gives off poisonous fumes above {0}, and baking paper chars above {1}: weld slower at a lower temperature, and air the room.</source>
-        <translation type="unfinished"></translation>
+        <translation>間に敷く PTFE は {0} を超えると有毒な煙を出し、クッキングシートは {1} を超えると焦げます。温度を下げてゆっくり溶着し、部屋を換気してください。</translation>
     </message>
     <message>
         <source>A setting is tried with up to twelve values, each once.</source>
@@ -1620,7 +1616,7 @@
     </message>
     <message>
         <source>A tab must be {0} to {1} wide, not {2}; 0 makes none.</source>
-        <translation type="unfinished"></translation>
+        <translation>タブの幅は {0}～{1} です（指定は {2}）。0 ならタブなしです。</translation>
     </message>
     <message>
         <source>A test card is for a machine, in a folder: give --machine and --out.</source>
@@ -1632,7 +1628,7 @@
     </message>
     <message>
         <source>A tool has no "{0}": choose one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>工具に "{0}" はありません。{1} から選んでください。</translation>
     </message>
     <message>
         <source>A tool is that of a machine that reads G-code: give --machine gcode-grbl or another.</source>
@@ -1792,7 +1788,7 @@
     </message>
     <message>
         <source>Any size</source>
-        <translation type="unfinished"></translation>
+        <translation>大きさは自由</translation>
     </message>
     <message>
         <source>Apply</source>
@@ -1816,11 +1812,11 @@
     </message>
     <message>
         <source>As Summa with OPOS, and the bar between the lower squares shows the cutter whether the print is bent. Feed the sheet with the bar first. The layer Regmark is not cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>「OPOS 付き Summa」と同じですが、下の四角の間の棒で印刷のゆがみも読み取ります。棒のある側から先にシートを送ってください。レイヤー Regmark は切りません。</translation>
     </message>
     <message>
         <source>As made</source>
-        <translation type="unfinished"></translation>
+        <translation>できたまま</translation>
     </message>
     <message>
         <source>As made over what was expected</source>
@@ -1912,7 +1908,7 @@
     </message>
     <message>
         <source>Bar of 100 mm to measure</source>
-        <translation type="unfinished"></translation>
+        <translation>測って確かめる 100 mm の棒</translation>
     </message>
     <message>
         <source>Bed</source>
@@ -1928,11 +1924,11 @@
     </message>
     <message>
         <source>Beside the pattern, to see whether the size was kept</source>
-        <translation type="unfinished"></translation>
+        <translation>大きさが保たれたかを見るため、型紙の横に入れます</translation>
     </message>
     <message>
         <source>Best field</source>
-        <translation type="unfinished"></translation>
+        <translation>最も良い欄</translation>
     </message>
     <message>
         <source>Best of {0} balloons: {1}, with {2}.</source>
@@ -2012,7 +2008,7 @@
     </message>
     <message>
         <source>Card</source>
-        <translation type="unfinished"></translation>
+        <translation>カード</translation>
     </message>
     <message>
         <source>Charts</source>
@@ -2060,7 +2056,7 @@
     </message>
     <message>
         <source>Choose a photograph first: a PNG, JPEG or BMP file.</source>
-        <translation type="unfinished"></translation>
+        <translation>先に写真を選んでください（PNG、JPEG、BMP のファイル）。</translation>
     </message>
     <message>
         <source>Choose a picture</source>
@@ -2072,7 +2068,7 @@
     </message>
     <message>
         <source>Choose a remnant</source>
-        <translation type="unfinished"></translation>
+        <translation>残材を選ぶ</translation>
     </message>
     <message>
         <source>Choose a row first.</source>
@@ -2088,7 +2084,7 @@
     </message>
     <message>
         <source>Choose a test card</source>
-        <translation type="unfinished"></translation>
+        <translation>テストカードを選ぶ</translation>
     </message>
     <message>
         <source>Choose sketches, a file or a ready body.</source>
@@ -2120,15 +2116,15 @@
     </message>
     <message>
         <source>Click both ends of a length that you know; a third click moves the nearer mark.</source>
-        <translation type="unfinished"></translation>
+        <translation>分かっている長さの両端をクリックします。3 回目のクリックは近い方の印を動かします。</translation>
     </message>
     <message>
         <source>Click both ends of a ruler in the picture, or of another known length</source>
-        <translation type="unfinished"></translation>
+        <translation>画像の中の定規など、長さの分かるものの両端をクリックします</translation>
     </message>
     <message>
         <source>Click to see it larger</source>
-        <translation type="unfinished"></translation>
+        <translation>クリックすると大きく表示します</translation>
     </message>
     <message>
         <source>Click two places: a seam runs between them</source>
@@ -2144,7 +2140,7 @@
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>閉じる</translation>
     </message>
     <message>
         <source>Close the open task panel first.</source>
@@ -2160,19 +2156,19 @@
     </message>
     <message>
         <source>Compare</source>
-        <translation type="unfinished"></translation>
+        <translation>比べる</translation>
     </message>
     <message>
         <source>Compare with a photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>写真と比べる</translation>
     </message>
     <message>
         <source>Comparing with the photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>写真と比べています</translation>
     </message>
     <message>
         <source>Comparing…</source>
-        <translation type="unfinished"></translation>
+        <translation>比べています…</translation>
     </message>
     <message>
         <source>Coordinates really are inches, and the header says so.</source>
@@ -2184,7 +2180,7 @@
     </message>
     <message>
         <source>Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>コピー</translation>
     </message>
     <message>
         <source>Corner relief</source>
@@ -2196,7 +2192,7 @@
     </message>
     <message>
         <source>Crosses, by eye</source>
-        <translation type="unfinished"></translation>
+        <translation>十字（目で合わせる）</translation>
     </message>
     <message>
         <source>Crumpled</source>
@@ -2240,7 +2236,7 @@
     </message>
     <message>
         <source>Cuts without room for two tabs of {0} on a straight: {1}, the first near {2}. What they go round comes free.</source>
-        <translation type="unfinished"></translation>
+        <translation>まっすぐな部分に {0} のタブを 2 つ付ける余地のない切り線：{1} 本（最初は {2} 付近）。その内側は外れて落ちます。</translation>
     </message>
     <message>
         <source>Cutting shop (DXF R12)</source>
@@ -2260,19 +2256,19 @@
     </message>
     <message>
         <source>Delete</source>
-        <translation type="unfinished"></translation>
+        <translation>削除</translation>
     </message>
     <message>
         <source>Delete it</source>
-        <translation type="unfinished"></translation>
+        <translation>削除する</translation>
     </message>
     <message>
         <source>Delete {}? Its file goes for good.</source>
-        <translation type="unfinished"></translation>
+        <translation>{} を削除しますか？ ファイルは元に戻せません。</translation>
     </message>
     <message>
         <source>Depth</source>
-        <translation type="unfinished"></translation>
+        <translation>深さ</translation>
     </message>
     <message>
         <source>Diameter {}, height {}, gores {} long</source>
@@ -2300,7 +2296,7 @@
     </message>
     <message>
         <source>Done</source>
-        <translation type="unfinished"></translation>
+        <translation>完了</translation>
     </message>
     <message>
         <source>Dots per inch</source>
@@ -2364,7 +2360,7 @@
     </message>
     <message>
         <source>Dwell</source>
-        <translation type="unfinished"></translation>
+        <translation>待ち時間</translation>
     </message>
     <message>
         <source>E across the grain</source>
@@ -2444,7 +2440,7 @@
     </message>
     <message>
         <source>Export begins with it</source>
-        <translation type="unfinished"></translation>
+        <translation>書き出しの最初の機械にする</translation>
     </message>
     <message>
         <source>Export pattern</source>
@@ -2452,7 +2448,7 @@
     </message>
     <message>
         <source>Export pattern begins with this machine; it is a preference</source>
-        <translation type="unfinished"></translation>
+        <translation>「型紙を書き出す」がこの機械で始まります。これは設定に保存されます</translation>
     </message>
     <message>
         <source>Expression</source>
@@ -2476,11 +2472,11 @@
     </message>
     <message>
         <source>Feed</source>
-        <translation type="unfinished"></translation>
+        <translation>送り速度</translation>
     </message>
     <message>
         <source>Feed in corners</source>
-        <translation type="unfinished"></translation>
+        <translation>角での送り速度</translation>
     </message>
     <message>
         <source>Fetch</source>
@@ -2512,7 +2508,7 @@
     </message>
     <message>
         <source>Fields: {}, on {} of film</source>
-        <translation type="unfinished"></translation>
+        <translation>欄：{}、フィルム {}</translation>
     </message>
     <message>
         <source>File</source>
@@ -2532,15 +2528,15 @@
     </message>
     <message>
         <source>Fill at the nozzle, to at most {column} of water.</source>
-        <translation type="unfinished"></translation>
+        <translation>ノズルから、水柱 {column} まででふくらませます。</translation>
     </message>
     <message>
         <source>Fill through a straw in the neck, to at most {column} of water.</source>
-        <translation type="unfinished"></translation>
+        <translation>首に差したストローから、水柱 {column} まででふくらませます。</translation>
     </message>
     <message>
         <source>Fill through a tube of 6 mm, its end cut aslant, pushed 25 mm past the seal across the neck, to at most {column} of water. Pull it out: the strips close by themselves.</source>
-        <translation type="unfinished"></translation>
+        <translation>先を斜めに切った 6 mm の管を、首を横切る溶着線の 25 mm 奥まで差し込み、水柱 {column} まででふくらませます。管を抜くと、帯がひとりでに閉じます。</translation>
     </message>
     <message>
         <source>Fill through a tube of 6 mm, its end cut aslant, pushed 25 mm past the weld across the neck. Pull it out: the pressure presses the strips together.</source>
@@ -2616,7 +2612,7 @@
     </message>
     <message>
         <source>Find how much the film stretched, and how far the weld draws the seam inward</source>
-        <translation type="unfinished"></translation>
+        <translation>フィルムがどれだけ伸びたか、溶着で継ぎ目がどれだけ内側へ寄るかを求めます</translation>
     </message>
     <message>
         <source>Find its place</source>
@@ -2624,7 +2620,7 @@
     </message>
     <message>
         <source>Fit the film, too</source>
-        <translation type="unfinished"></translation>
+        <translation>フィルムも合わせる</translation>
     </message>
     <message>
         <source>Fit to drawing</source>
@@ -2656,11 +2652,11 @@
     </message>
     <message>
         <source>For Send to Silhouette of inkscape-silhouette. The marks of a print lie on the layer Regmarks, which is not cut, 10 mm from the edges of A4 and 190 and 277 mm apart: give that there. Nothing is cut outside them. For other paper change page_mm in a copy.</source>
-        <translation type="unfinished"></translation>
+        <translation>inkscape-silhouette の「Send to Silhouette」用です。印刷の印はレイヤー Regmarks にあり、切りません。印は A4 の縁から 10 mm、間隔は 190 mm と 277 mm です。その値を Send to Silhouette に入れてください。印の外は切りません。ほかの用紙では、コピーした機械の page_mm を変えてください。</translation>
     </message>
     <message>
         <source>For {0} of {1} pieces there is no room on the remnant: give film for the rest too.</source>
-        <translation type="unfinished"></translation>
+        <translation>残材には {1} 個のうち {0} 個の部品を置く場所がありません。残りのためのフィルムも指定してください。</translation>
     </message>
     <message>
         <source>For {0} the drawing would be {1} large: choose a volume that makes it {2} to {3}.</source>
@@ -2768,7 +2764,7 @@
     </message>
     <message>
         <source>Give one or two settings several values, such as 200, 300, 400, and each of the others one.</source>
-        <translation type="unfinished"></translation>
+        <translation>一つか二つの設定に 200, 300, 400 のように複数の値を、ほかの設定には値を一つずつ入れてください。</translation>
     </message>
     <message>
         <source>Give the document the values of the chosen row</source>
@@ -2828,7 +2824,7 @@
     </message>
     <message>
         <source>Graphtec with ARMS (vinyl cutter)</source>
-        <translation type="unfinished"></translation>
+        <translation>ARMS 付き Graphtec（カッティングマシン）</translation>
     </message>
     <message>
         <source>Green</source>
@@ -2864,7 +2860,7 @@
     </message>
     <message>
         <source>Height between two lines; empty: 5 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>線と線の間で上げる高さ。空なら 5 mm</translation>
     </message>
     <message>
         <source>Helium</source>
@@ -2896,11 +2892,11 @@
     </message>
     <message>
         <source>Hot tip</source>
-        <translation type="unfinished"></translation>
+        <translation>熱したこて先</translation>
     </message>
     <message>
         <source>Hot wheel</source>
-        <translation type="unfinished"></translation>
+        <translation>熱したホイール</translation>
     </message>
     <message>
         <source>Hours of welding, where they are known</source>
@@ -2912,15 +2908,15 @@
     </message>
     <message>
         <source>How far a closed cut runs past its start; empty: six times the knife's offset</source>
-        <translation type="unfinished"></translation>
+        <translation>閉じた切り線が始点を越えて進む長さ。空なら刃のオフセットの 6 倍</translation>
     </message>
     <message>
         <source>How far a closed weld runs past its start, so that the joint is tight</source>
-        <translation type="unfinished"></translation>
+        <translation>閉じた溶着線が始点を越えて進む長さ（継ぎ目の漏れを防ぐ）</translation>
     </message>
     <message>
         <source>How far a swivel knife or wheel lies behind its axis; 0 where the machine makes up for it</source>
-        <translation type="unfinished"></translation>
+        <translation>自在に回る刃やホイールが軸から遅れる距離。機械が補正するなら 0</translation>
     </message>
     <message>
         <source>How far along it</source>
@@ -2932,7 +2928,7 @@
     </message>
     <message>
         <source>How far below the place where it touches the film it works: it presses so hard, or cuts so deep; of a laser its focus. Empty: not known yet</source>
-        <translation type="unfinished"></translation>
+        <translation>フィルムに触れる高さからどれだけ下で動かすか。押す強さや切る深さ、レーザーでは焦点になります。空ならまだ不明</translation>
     </message>
     <message>
         <source>How far the balloon may be from the body on average, of the body's diagonal</source>
@@ -2944,19 +2940,19 @@
     </message>
     <message>
         <source>How far weld and film reach beyond the seam in the photograph; empty: as in the pattern, 0: folded back</source>
-        <translation type="unfinished"></translation>
+        <translation>写真で溶着線とフィルムが継ぎ目の外に出ている幅。空なら型紙のとおり、0 なら折り返してある</translation>
     </message>
     <message>
         <source>How fast it goes along a line; empty: not known yet</source>
-        <translation type="unfinished"></translation>
+        <translation>線に沿って進む速さ。空ならまだ不明</translation>
     </message>
     <message>
         <source>How long a way from waste film to a weld may be; 0 for none</source>
-        <translation type="unfinished"></translation>
+        <translation>余白のフィルムから溶着線までの助走の最大の長さ。0 ならなし</translation>
     </message>
     <message>
         <source>How long it waits before it moves along a line: film warms, a beam burns in, a spindle starts</source>
-        <translation type="unfinished"></translation>
+        <translation>線に沿って動き出す前に待つ時間：フィルムが温まり、ビームが焼き込み、スピンドルが回り出します</translation>
     </message>
     <message>
         <source>How wide shall it be?</source>
@@ -3040,7 +3036,7 @@
     </message>
     <message>
         <source>It came with the workbench: copy it to set it up as your own.</source>
-        <translation type="unfinished"></translation>
+        <translation>ワークベンチに付属する機械です。自分用に設定するにはコピーしてください。</translation>
     </message>
     <message>
         <source>It holds {} of the air that a round balloon of as much film would.</source>
@@ -3124,15 +3120,15 @@
     </message>
     <message>
         <source>Keep it</source>
-        <translation type="unfinished"></translation>
+        <translation>残す</translation>
     </message>
     <message>
         <source>Keep the best</source>
-        <translation type="unfinished"></translation>
+        <translation>最も良いものを残す</translation>
     </message>
     <message>
         <source>Keep the film</source>
-        <translation type="unfinished"></translation>
+        <translation>フィルムを残す</translation>
     </message>
     <message>
         <source>Keep the proportions</source>
@@ -3140,11 +3136,11 @@
     </message>
     <message>
         <source>Kept, and offered by Export pattern: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>残しました。「型紙を書き出す」で選べます：{}</translation>
     </message>
     <message>
         <source>Kerf</source>
-        <translation type="unfinished"></translation>
+        <translation>切り幅</translation>
     </message>
     <message>
         <source>Kind</source>
@@ -3152,11 +3148,11 @@
     </message>
     <message>
         <source>Knife</source>
-        <translation type="unfinished"></translation>
+        <translation>刃</translation>
     </message>
     <message>
         <source>Knife offset</source>
-        <translation type="unfinished"></translation>
+        <translation>刃のオフセット</translation>
     </message>
     <message>
         <source>Kraft paper, 80 g/m²</source>
@@ -3188,7 +3184,7 @@
     </message>
     <message>
         <source>Laser</source>
-        <translation type="unfinished"></translation>
+        <translation>レーザー</translation>
     </message>
     <message>
         <source>Lay a picture under the paper for tracing; press again to take it away</source>
@@ -3240,19 +3236,19 @@
     </message>
     <message>
         <source>Lead-in</source>
-        <translation type="unfinished"></translation>
+        <translation>助走</translation>
     </message>
     <message>
         <source>Leak test: fill with air through a tube in the neck, closed round it by hand or with tape, to at most {column} of water in a hose. Wait 15 min, brush soapy water along the seams. Mark with a pen where bubbles grow, let the air out, dry it, seal there once more, test again.</source>
-        <translation type="unfinished"></translation>
+        <translation>漏れの検査：首に差した管から空気を入れ、管のまわりを手かテープでふさぎます。ホースの水柱で {column} までにします。15 分待ち、継ぎ目に石けん水を塗ります。泡が大きくなる所にペンで印を付け、空気を抜き、乾かし、そこをもう一度溶着して、検査をやり直します。</translation>
     </message>
     <message>
         <source>Leak test: fill with air to at most {column} of water in a hose. Wait 15 min, brush soapy water along the seams. Mark with a pen where bubbles grow, let the air out, dry it, seal there once more, test again.</source>
-        <translation type="unfinished"></translation>
+        <translation>漏れの検査：ホースの水柱で {column} まで空気を入れます。15 分待ち、継ぎ目に石けん水を塗ります。泡が大きくなる所にペンで印を付け、空気を抜き、乾かし、そこをもう一度溶着して、検査をやり直します。</translation>
     </message>
     <message>
         <source>Leave tabs so wide in the cuts, such as 0.4 mm, on straights, two or more on each and one in 100 mm, so that pieces stay in the film. It is kept for this machine</source>
-        <translation type="unfinished"></translation>
+        <translation>切り線のまっすぐな部分に、0.4 mm のような幅のタブを、それぞれ 2 つ以上、100 mm ごとに 1 つ残し、部品がフィルムから外れないようにします。この機械の値として保存されます</translation>
     </message>
     <message>
         <source>Left out: {0}</source>
@@ -3288,7 +3284,7 @@
     </message>
     <message>
         <source>Letters, digits, spaces and - only</source>
-        <translation type="unfinished"></translation>
+        <translation>英数字、空白、- だけ</translation>
     </message>
     <message>
         <source>Lift</source>
@@ -3372,11 +3368,11 @@
     </message>
     <message>
         <source>Make a card</source>
-        <translation type="unfinished"></translation>
+        <translation>カードを作る</translation>
     </message>
     <message>
         <source>Make a machine of your own with the values of this one</source>
-        <translation type="unfinished"></translation>
+        <translation>この機械の値で自分の機械を作ります</translation>
     </message>
     <message>
         <source>Make a sketch of the cuts</source>
@@ -3384,7 +3380,7 @@
     </message>
     <message>
         <source>Make a test card: nobody states a temperature for this film.</source>
-        <translation type="unfinished"></translation>
+        <translation>テストカードを作ってください。このフィルムの温度はどこにも示されていません。</translation>
     </message>
     <message>
         <source>Make it!</source>
@@ -3404,15 +3400,15 @@
     </message>
     <message>
         <source>Mark a length</source>
-        <translation type="unfinished"></translation>
+        <translation>長さに印を付ける</translation>
     </message>
     <message>
         <source>Mark a length in the picture, and give its true length, such as 300 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>画像の中の長さに印を付け、300 mm のように実際の長さを入れてください。</translation>
     </message>
     <message>
         <source>Mark a length…</source>
-        <translation type="unfinished"></translation>
+        <translation>長さに印を付ける…</translation>
     </message>
     <message>
         <source>Marks</source>
@@ -3420,7 +3416,7 @@
     </message>
     <message>
         <source>Marks for</source>
-        <translation type="unfinished"></translation>
+        <translation>印の種類</translation>
     </message>
     <message>
         <source>Marlin printer (G-code)</source>
@@ -3464,7 +3460,7 @@
     </message>
     <message>
         <source>Mimaki with register marks (vinyl cutter)</source>
-        <translation type="unfinished"></translation>
+        <translation>レジスターマーク対応の Mimaki（カッティングマシン）</translation>
     </message>
     <message>
         <source>Mind</source>
@@ -3496,19 +3492,19 @@
     </message>
     <message>
         <source>My machines</source>
-        <translation type="unfinished"></translation>
+        <translation>自分の機械</translation>
     </message>
     <message>
         <source>My {}</source>
-        <translation type="unfinished"></translation>
+        <translation>自分の {}</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>名前</translation>
     </message>
     <message>
         <source>Name of the machine</source>
-        <translation type="unfinished"></translation>
+        <translation>機械の名前</translation>
     </message>
     <message>
         <source>Native</source>
@@ -3680,15 +3676,15 @@
     </message>
     <message>
         <source>Nobody but you knows the {0} of your {1} for this film: fill in My machines in FreeCAD, or give {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>このフィルムに対する自分の {1} の{0}は、使う人にしか分かりません。FreeCAD の「自分の機械」に書くか、{2} を指定してください。</translation>
     </message>
     <message>
         <source>Nobody but you knows this: {}. Give one value, or several to try.</source>
-        <translation type="unfinished"></translation>
+        <translation>使う人にしか分からない値です：{}。値を一つ、または試す値をいくつか入れてください。</translation>
     </message>
     <message>
         <source>Nobody states a temperature for this film. Make a test card: weld strips with several temperatures and times, peel them, keep the best.</source>
-        <translation type="unfinished"></translation>
+        <translation>このフィルムの温度はどこにも示されていません。テストカードを作り、いろいろな温度と時間で帯を溶着し、はがして、最も良いものを残してください。</translation>
     </message>
     <message>
         <source>None</source>
@@ -3724,7 +3720,7 @@
     </message>
     <message>
         <source>Note</source>
-        <translation type="unfinished"></translation>
+        <translation>メモ</translation>
     </message>
     <message>
         <source>Note: {0}</source>
@@ -3796,11 +3792,11 @@
     </message>
     <message>
         <source>Of the film of {0} nothing is left that is large enough to be used again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} のフィルムには、また使えるほど大きな残りがありません。</translation>
     </message>
     <message>
         <source>Of the tip or wheel, 40 to 400 °C. Above 260 °C a layer of PTFE gives off poisonous fumes</source>
-        <translation type="unfinished"></translation>
+        <translation>こて先やホイールの温度、40～400 °C。260 °C を超えると PTFE の敷き物が有毒な煙を出します</translation>
     </message>
     <message>
         <source>Off</source>
@@ -3876,7 +3872,7 @@
     </message>
     <message>
         <source>Only balloons of two equal panels are compared with a photograph: compare the panels of others one by one, with the command compare and its --flat.</source>
-        <translation type="unfinished"></translation>
+        <translation>写真と比べられるのは同じ 2 枚のパネルの風船だけです。ほかの風船は、コマンド compare と --flat でパネルを 1 枚ずつ比べてください。</translation>
     </message>
     <message>
         <source>Only grades of this film with a sealing layer weld: try scraps before you cut.</source>
@@ -3884,7 +3880,7 @@
     </message>
     <message>
         <source>Only pieces that are no larger than this either way get tabs, such as 50 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>縦横ともこの大きさ以下の部品だけにタブを付けます（50 mm など）</translation>
     </message>
     <message>
         <source>Only the middle of the weld. A closed weld runs past its start, so that the joint is tight.</source>
@@ -3892,7 +3888,7 @@
     </message>
     <message>
         <source>Only the shape is compared, at the size that fits best</source>
-        <translation type="unfinished"></translation>
+        <translation>形だけを、最もよく合う大きさで比べます</translation>
     </message>
     <message>
         <source>Only {0} of film stay between two cuts near {1}; {2} wants {3}. It may tear or melt there.</source>
@@ -3936,7 +3932,7 @@
     </message>
     <message>
         <source>Overcut</source>
-        <translation type="unfinished"></translation>
+        <translation>オーバーカット</translation>
     </message>
     <message>
         <source>PDF files, previews and labels need it; DXF, SVG and HPGL can be written.</source>
@@ -3944,7 +3940,7 @@
     </message>
     <message>
         <source>PNG, JPEG or BMP</source>
-        <translation type="unfinished"></translation>
+        <translation>PNG、JPEG、BMP</translation>
     </message>
     <message>
         <source>Pa, its own range</source>
@@ -4156,7 +4152,7 @@
     </message>
     <message>
         <source>Photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>写真</translation>
     </message>
     <message>
         <source>Pick an edge to see its partner.</source>
@@ -4192,7 +4188,7 @@
     </message>
     <message>
         <source>Pictures of the work</source>
-        <translation type="unfinished"></translation>
+        <translation>作業の図</translation>
     </message>
     <message>
         <source>Pieces of the side band cannot be {0} long. Give 0 or more.</source>
@@ -4208,7 +4204,7 @@
     </message>
     <message>
         <source>Pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>ピクセル</translation>
     </message>
     <message>
         <source>Place</source>
@@ -4288,7 +4284,7 @@
     </message>
     <message>
         <source>Power</source>
-        <translation type="unfinished"></translation>
+        <translation>出力</translation>
     </message>
     <message>
         <source>Predicted from the outline; not inflated yet.</source>
@@ -4324,7 +4320,7 @@
     </message>
     <message>
         <source>Print shop (PDF with CutContour)</source>
-        <translation type="unfinished"></translation>
+        <translation>印刷業者（CutContour 入り PDF）</translation>
     </message>
     <message>
         <source>Print {0} at {1} dpi, all panels</source>
@@ -4348,7 +4344,7 @@
     </message>
     <message>
         <source>Pull the straw out and seal straight across the neck, beside the balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>ストローを抜き、風船のそばで首を真横に溶着します。</translation>
     </message>
     <message>
         <source>Push a straw in, fill, pull it out and close the neck like the seam, straight across beside the balloon.</source>
@@ -4384,7 +4380,7 @@
     </message>
     <message>
         <source>Reads</source>
-        <translation type="unfinished"></translation>
+        <translation>読む形式</translation>
     </message>
     <message>
         <source>Ready body</source>
@@ -4408,11 +4404,11 @@
     </message>
     <message>
         <source>Remnant</source>
-        <translation type="unfinished"></translation>
+        <translation>残材</translation>
     </message>
     <message>
         <source>Remnants</source>
-        <translation type="unfinished"></translation>
+        <translation>残材</translation>
     </message>
     <message>
         <source>Repair</source>
@@ -4424,7 +4420,7 @@
     </message>
     <message>
         <source>Replace it</source>
-        <translation type="unfinished"></translation>
+        <translation>置き換える</translation>
     </message>
     <message>
         <source>Replace the file</source>
@@ -4432,7 +4428,7 @@
     </message>
     <message>
         <source>Replace the files</source>
-        <translation type="unfinished"></translation>
+        <translation>既存のファイルを置き換える</translation>
     </message>
     <message>
         <source>Result</source>
@@ -4452,7 +4448,7 @@
     </message>
     <message>
         <source>Rim</source>
-        <translation type="unfinished"></translation>
+        <translation>縁</translation>
     </message>
     <message>
         <source>Ring</source>
@@ -4468,15 +4464,15 @@
     </message>
     <message>
         <source>Roland with crop marks (vinyl cutter)</source>
-        <translation type="unfinished"></translation>
+        <translation>クロップマーク対応の Roland（カッティングマシン）</translation>
     </message>
     <message>
         <source>Round pieces up to</source>
-        <translation type="unfinished"></translation>
+        <translation>タブを付ける部品の上限</translation>
     </message>
     <message>
         <source>Round the print the marks span</source>
-        <translation type="unfinished"></translation>
+        <translation>印が囲む、印刷のまわりの範囲</translation>
     </message>
     <message>
         <source>Round this hole the balloon may kink: with a weld creased to {percent} of its stiffness the outline moves by up to {length}; with one {wanted} wide, creased as much, by {less}.</source>
@@ -4512,7 +4508,7 @@
     </message>
     <message>
         <source>S at full power</source>
-        <translation type="unfinished"></translation>
+        <translation>最大出力の S 値</translation>
     </message>
     <message>
         <source>STL, OBJ, PLY, 3MF or STEP</source>
@@ -4560,7 +4556,7 @@
     </message>
     <message>
         <source>Save files…</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイルを保存…</translation>
     </message>
     <message>
         <source>Save results</source>
@@ -4596,19 +4592,19 @@
     </message>
     <message>
         <source>Seal across the neck along its line, through panels and strips. The field keeps the channel open.</source>
-        <translation type="unfinished"></translation>
+        <translation>首を横切る線に沿って、パネルと帯を一緒に溶着します。印の枠が通り道を開けておきます。</translation>
     </message>
     <message>
         <source>Seal the lines inside.</source>
-        <translation type="unfinished"></translation>
+        <translation>内側の線を溶着します。</translation>
     </message>
     <message>
         <source>Seal the outline, {seal} wide, all but the mouth of the neck.</source>
-        <translation type="unfinished"></translation>
+        <translation>首の口を残して、輪郭を幅 {seal} で溶着します。</translation>
     </message>
     <message>
         <source>Seal the outline, {seal} wide, all the way round.</source>
-        <translation type="unfinished"></translation>
+        <translation>輪郭を幅 {seal} で、ぐるりと 1 周溶着します。</translation>
     </message>
     <message>
         <source>Seal the seams in the order of the pictures along the dashed line, {seal} wide, from end to end.</source>
@@ -4808,7 +4804,7 @@
     </message>
     <message>
         <source>Set up machines of your own</source>
-        <translation type="unfinished"></translation>
+        <translation>自分の機械を設定します</translation>
     </message>
     <message>
         <source>Shadows on the background were taken off.</source>
@@ -4820,11 +4816,11 @@
     </message>
     <message>
         <source>Share of the feed near corners and in narrow bends</source>
-        <translation type="unfinished"></translation>
+        <translation>角の近くやきつい曲がりでの送り速度の割合</translation>
     </message>
     <message>
         <source>Share of the laser's full power; empty: not known yet</source>
-        <translation type="unfinished"></translation>
+        <translation>レーザーの最大出力に対する割合。空ならまだ不明</translation>
     </message>
     <message>
         <source>Sheet length</source>
@@ -4880,7 +4876,7 @@
     </message>
     <message>
         <source>Silhouette from Inkscape</source>
-        <translation type="unfinished"></translation>
+        <translation>Inkscape から Silhouette</translation>
     </message>
     <message>
         <source>Silhouette off the drawing</source>
@@ -4908,7 +4904,7 @@
     </message>
     <message>
         <source>Size unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>大きさ不明</translation>
     </message>
     <message>
         <source>So far it is a line. Close it, or paint an area, and it becomes a balloon.</source>
@@ -4936,15 +4932,15 @@
     </message>
     <message>
         <source>Spindle</source>
-        <translation type="unfinished"></translation>
+        <translation>スピンドル</translation>
     </message>
     <message>
         <source>Split over beds</source>
-        <translation type="unfinished"></translation>
+        <translation>加工台ごとに分ける</translation>
     </message>
     <message>
         <source>Split over beds of {0}, the pattern leaves no waste film for two crosses {1} apart by which it is laid on anew: choose a larger bed, or lay the pieces out on sheets.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} の加工台ごとに分けると、フィルムを置き直すための十字 2 つを {1} 離して入れる余白のフィルムがありません。もっと大きい加工台を選ぶか、部品をシートに並べてください。</translation>
     </message>
     <message>
         <source>Spot in 16 panels</source>
@@ -4952,15 +4948,15 @@
     </message>
     <message>
         <source>Start values for welding: {0} ({1}).</source>
-        <translation type="unfinished"></translation>
+        <translation>溶着の最初に試す値：{0}（{1}）。</translation>
     </message>
     <message>
         <source>Start values, not tried on your film and tool: {start_values} ({start_sources}).</source>
-        <translation type="unfinished"></translation>
+        <translation>最初に試す値（自分のフィルムと工具では未確認）：{start_values}（{start_sources}）。</translation>
     </message>
     <message>
         <source>Stated is: {0} ({1}).</source>
-        <translation type="unfinished"></translation>
+        <translation>示されている値：{0}（{1}）。</translation>
     </message>
     <message>
         <source>Steps</source>
@@ -4992,7 +4988,7 @@
     </message>
     <message>
         <source>Straight from the front, from far away, on a plain background of another colour</source>
-        <translation type="unfinished"></translation>
+        <translation>真正面の遠くから、違う色の無地の背景で撮ったもの</translation>
     </message>
     <message>
         <source>Straw neck</source>
@@ -5020,15 +5016,15 @@
     </message>
     <message>
         <source>Such as Tip for PE</source>
-        <translation type="unfinished"></translation>
+        <translation>「PE 用こて先」など</translation>
     </message>
     <message>
         <source>Summa with OPOS (vinyl cutter)</source>
-        <translation type="unfinished"></translation>
+        <translation>OPOS 付き Summa（カッティングマシン）</translation>
     </message>
     <message>
         <source>Summa with OPOS XY (vinyl cutter)</source>
-        <translation type="unfinished"></translation>
+        <translation>OPOS XY 付き Summa（カッティングマシン）</translation>
     </message>
     <message>
         <source>Symmetry</source>
@@ -5044,11 +5040,11 @@
     </message>
     <message>
         <source>Tabs</source>
-        <translation type="unfinished"></translation>
+        <translation>タブ</translation>
     </message>
     <message>
         <source>Tabs are left by a machine that cuts: give --machine too, and one that does.</source>
-        <translation type="unfinished"></translation>
+        <translation>タブを残すのは切る機械です。切る機械を --machine で指定してください。</translation>
     </message>
     <message>
         <source>Tacked to one panel</source>
@@ -5120,7 +5116,7 @@
     </message>
     <message>
         <source>Temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>温度</translation>
     </message>
     <message>
         <source>Temperatures need scipy: install it with pip install scipy.</source>
@@ -5132,15 +5128,15 @@
     </message>
     <message>
         <source>Test card</source>
-        <translation type="unfinished"></translation>
+        <translation>テストカード</translation>
     </message>
     <message>
         <source>Test card written to {}</source>
-        <translation type="unfinished"></translation>
+        <translation>テストカードを {} に書き出しました</translation>
     </message>
     <message>
         <source>Test cards</source>
-        <translation type="unfinished"></translation>
+        <translation>テストカード</translation>
     </message>
     <message>
         <source>That of the front</source>
@@ -5380,7 +5376,7 @@
     </message>
     <message>
         <source>The bar of {0} does not fit between marks that are {1} apart: make the balloon larger, or print several beside each other.</source>
-        <translation type="unfinished"></translation>
+        <translation>{1} 離れた印の間に {0} の棒が入りません。風船を大きくするか、いくつか並べて印刷してください。</translation>
     </message>
     <message>
         <source>The bending floor must be between 0 and 1, not {0}. Usual is {1}.</source>
@@ -5428,7 +5424,7 @@
     </message>
     <message>
         <source>The camera finds the dots round a print, on the layer Register; the fifth tells how the sheet lies. The layer Register is not cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>カメラが、レイヤー Register にある印刷のまわりの点を見つけます。5 番目の点はシートの向きを示します。レイヤー Register は切りません。</translation>
     </message>
     <message>
         <source>The caps are too large for the ball. Choose a smaller diameter for them.</source>
@@ -5452,11 +5448,11 @@
     </message>
     <message>
         <source>The cutter finds the four discs round a print itself. VersaWorks prints discs of its own: give it the PDF for print and cut instead. The layer REGISTRATION is not cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>カッターが、印刷のまわりの 4 つの円を自分で見つけます。VersaWorks は独自の円を印刷するので、代わりに印刷とカット用の PDF を渡してください。レイヤー REGISTRATION は切りません。</translation>
     </message>
     <message>
         <source>The cutter finds the squares at both sides of a print itself, on the layer Regmark, which is not cut. Set their size of 3 mm and their distances there, where its program does not read them. Feed the sheet with its lower edge first.</source>
-        <translation type="unfinished"></translation>
+        <translation>カッターが、印刷の両側の四角をレイヤー Regmark から自分で見つけます。このレイヤーは切りません。付属のプログラムが読み取らない場合は、カッターで大きさを 3 mm にし、間隔も設定してください。シートは下の縁から先に送ってください。</translation>
     </message>
     <message>
         <source>The drawing cannot be reached everywhere: the silhouette is up to {} off it.</source>
@@ -5584,11 +5580,11 @@
     </message>
     <message>
         <source>The file of what is left of another layout: pieces are laid inside it first</source>
-        <translation type="unfinished"></translation>
+        <translation>別の配置から残ったもののファイル：部品をまずその中に並べます</translation>
     </message>
     <message>
         <source>The file test-card.json that was written with the card</source>
-        <translation type="unfinished"></translation>
+        <translation>カードと一緒に書き出されたファイル test-card.json</translation>
     </message>
     <message>
         <source>The file {0} is of no use: {1}. Install it anew.</source>
@@ -5596,7 +5592,7 @@
     </message>
     <message>
         <source>The files that it, or its program, opens</source>
-        <translation type="unfinished"></translation>
+        <translation>機械、またはそのプログラムが開くファイル</translation>
     </message>
     <message>
         <source>The film '{0}' has no mass. Give its areal density.</source>
@@ -5664,7 +5660,7 @@
     </message>
     <message>
         <source>The free edition opens DXF, not SVG. Choose "as is" for the size in the import preferences. Silhouette adds the knife's offset and overcut. Nothing is in the file that may not be cut. Studio draws registration marks itself, print them from there; or set page A4, inset 10 mm, length 8.4 mm and thickness 1 mm there and lay the file's marks on them, not to be cut: a print has the same. Nothing is cut outside them.</source>
-        <translation type="unfinished"></translation>
+        <translation>無料版が開くのは SVG でなく DXF です。読み込みの設定で大きさは "as is" を選んでください。刃のオフセットとオーバーカットは Silhouette が加えます。切ってはいけないものはファイルに入っていません。位置合わせの印は Studio が自分で描くので、そこから印刷してください。または Studio で用紙 A4、余白 10 mm、長さ 8.4 mm、太さ 1 mm にし、ファイルの印をそこに重ねて、切らない設定にしてください。印刷にも同じ印があります。印の外は切りません。</translation>
     </message>
     <message>
         <source>The goal has {0} combinations to choose from, of which each is tried: list 1 to {1}.</source>
@@ -5832,7 +5828,7 @@
     </message>
     <message>
         <source>The machine that finds the print again by its registration marks, printed round it</source>
-        <translation type="unfinished"></translation>
+        <translation>まわりに印刷した位置合わせの印で、印刷を見つける機械</translation>
     </message>
     <message>
         <source>The mesh has a triangle with a point that is not there. Save it once more.</source>
@@ -5908,7 +5904,7 @@
     </message>
     <message>
         <source>The number that the controller takes for full power: $30 of GRBL</source>
-        <translation type="unfinished"></translation>
+        <translation>コントローラーが最大出力とみなす数（GRBL の $30）</translation>
     </message>
     <message>
         <source>The opening is at point {0} of panel '{1}', whose points are 0 to {2}. Choose one of them.</source>
@@ -6048,7 +6044,7 @@
     </message>
     <message>
         <source>The picture, and all figures as JSON</source>
-        <translation type="unfinished"></translation>
+        <translation>画像と、すべての数値の JSON</translation>
     </message>
     <message>
         <source>The pieces of the intake "{0}" are cut from {1}: they have a file of their own, with all of them for each balloon.</source>
@@ -6072,11 +6068,11 @@
     </message>
     <message>
         <source>The plotter finds the marks of a print itself. Set mark type 1 and a size of 10 mm there. The layer REGISTRATION is not cut. The knife's offset belongs into the plotter.</source>
-        <translation type="unfinished"></translation>
+        <translation>プロッターが印刷の印を自分で見つけます。プロッターでマークの種類を 1、大きさを 10 mm にしてください。レイヤー REGISTRATION は切りません。刃のオフセットはプロッターに設定します。</translation>
     </message>
     <message>
         <source>The plotter finds the marks of a print itself. Set shape 1 and a size of 10 mm there. FineCut takes marks only that it made itself: let it make them in the place of these. The layer REGISTRATION is not cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>プロッターが印刷の印を自分で見つけます。プロッターで形を 1、大きさを 10 mm にしてください。FineCut は自分で作った印しか使わないので、同じ場所に FineCut で印を作ってください。レイヤー REGISTRATION は切りません。</translation>
     </message>
     <message>
         <source>The pressure at the lower end must be 0 or more.</source>
@@ -6096,15 +6092,15 @@
     </message>
     <message>
         <source>The print has {0}, and {1} looks for others: print once more with its marks ({2}).</source>
-        <translation type="unfinished"></translation>
+        <translation>印刷にあるのは{0}ですが、{1} は別の印を探します。その印（{2}）でもう一度印刷してください。</translation>
     </message>
     <message>
         <source>The print measures</source>
-        <translation type="unfinished"></translation>
+        <translation>印刷の大きさ</translation>
     </message>
     <message>
         <source>The print measures {0}, and between the marks of {1} there are {2} on paper of {3}: make the balloon smaller, or give larger paper as page_mm of the marks in a file of your machine.</source>
-        <translation type="unfinished"></translation>
+        <translation>印刷の大きさは {0} ですが、{3} の用紙では {1} の印の間が {2} です。風船を小さくするか、自分の機械のファイルの印の page_mm でもっと大きい用紙を指定してください。</translation>
     </message>
     <message>
         <source>The print on film</source>
@@ -6112,7 +6108,7 @@
     </message>
     <message>
         <source>The print reaches into the marks of {0}, or comes nearer than {1}: make the balloon smaller, or give larger paper as page_mm of the marks in a file of your machine.</source>
-        <translation type="unfinished"></translation>
+        <translation>印刷が {0} の印にかかるか、{1} より近づきます。風船を小さくするか、自分の機械のファイルの印の page_mm でもっと大きい用紙を指定してください。</translation>
     </message>
     <message>
         <source>The profile crosses or touches itself at {0}. Draw a simple line.</source>
@@ -6156,15 +6152,15 @@
     </message>
     <message>
         <source>The remnant is of {0} film, and no piece here is cut from that.</source>
-        <translation type="unfinished"></translation>
+        <translation>残材は {0} のフィルムですが、ここにはそれから切る部品がありません。</translation>
     </message>
     <message>
         <source>The remnant {0} is of no use: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>残材 {0} が使えません：{1}</translation>
     </message>
     <message>
         <source>The remnant {0} lacks {1}: add it.</source>
-        <translation type="unfinished"></translation>
+        <translation>残材 {0} に {1} がありません。加えてください。</translation>
     </message>
     <message>
         <source>The repair at {0} no longer fits, {1}: take it back or draw that part anew.</source>
@@ -6176,7 +6172,7 @@
     </message>
     <message>
         <source>The rim is the width of the weld and of the film beside it: give 0 to 1 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>縁は溶着線とその外側のフィルムを合わせた幅です。0～1 m にしてください。</translation>
     </message>
     <message>
         <source>The row has more cells than there are columns: leave out what is too much.</source>
@@ -6192,7 +6188,7 @@
     </message>
     <message>
         <source>The same length as it is, such as 300 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>同じ部分の実際の長さ（300 mm など）</translation>
     </message>
     <message>
         <source>The scale '{0}' cannot be used: {1}.</source>
@@ -6564,11 +6560,11 @@
     </message>
     <message>
         <source>There is a film {0} already: say that it may be replaced.</source>
-        <translation type="unfinished"></translation>
+        <translation>フィルム {0} はすでにあります。置き換えてよいことを指定してください。</translation>
     </message>
     <message>
         <source>There is a machine {0} already: give this one another name.</source>
-        <translation type="unfinished"></translation>
+        <translation>機械 {0} はすでにあります。別の名前にしてください。</translation>
     </message>
     <message>
         <source>There is advice about two equal panels only: of many, the warnings tell.</source>
@@ -6724,7 +6720,7 @@
     </message>
     <message>
         <source>This OpenCV writes no MP4: take --animation gif, or install opencv-python-headless with pip.</source>
-        <translation type="unfinished"></translation>
+        <translation>この OpenCV は MP4 を書き出せません。--animation gif を使うか、pip で opencv-python-headless を入れてください。</translation>
     </message>
     <message>
         <source>This Python has no working ctypes module, which SciPy and the native solver need: patterns can be changed and written, but no balloon can be inflated anew. Take another build of FreeCAD or of Python.</source>
@@ -6820,11 +6816,11 @@
     </message>
     <message>
         <source>Tie a ribbon round the neck, and to it a weight heavier than the {lift} that {gas} lifts. No metallic ribbon on foil, never let it fly.</source>
-        <translation type="unfinished"></translation>
+        <translation>首にリボンを結び、{gas} の浮力 {lift} より重い重しを付けます。アルミのフィルムに金属のリボンは使わず、決して空へ放さないでください。</translation>
     </message>
     <message>
         <source>Tie a ribbon round the neck, to hang it up or to hold it: it does not float.</source>
-        <translation type="unfinished"></translation>
+        <translation>首にリボンを結び、つるすか手に持ちます。この風船は浮きません。</translation>
     </message>
     <message>
         <source>Tip that stays flat</source>
@@ -6836,15 +6832,15 @@
     </message>
     <message>
         <source>To cut, your settings of {cut_machine}: {cut}.</source>
-        <translation type="unfinished"></translation>
+        <translation>切るとき、自分の {cut_machine} の設定：{cut}。</translation>
     </message>
     <message>
         <source>To let the gas out, cut the seal across the neck off.</source>
-        <translation type="unfinished"></translation>
+        <translation>気体を抜くには、首を横切る溶着を切り落とします。</translation>
     </message>
     <message>
         <source>To let the gas out, push a straw in through the neck until it hisses, and press gently. Keep the balloon flat, not folded: it can be filled again.</source>
-        <translation type="unfinished"></translation>
+        <translation>気体を抜くには、首からストローをシューと音がするまで差し込み、そっと押します。風船は折らずに平らにしてしまいます。またふくらませることができます。</translation>
     </message>
     <message>
         <source>To this value, with its unit</source>
@@ -6852,7 +6848,7 @@
     </message>
     <message>
         <source>To weld, your settings of {weld_machine}: {weld}.</source>
-        <translation type="unfinished"></translation>
+        <translation>溶着するとき、自分の {weld_machine} の設定：{weld}。</translation>
     </message>
     <message>
         <source>Tolerances are worked out for two equal panels of one shape: </source>
@@ -6868,7 +6864,7 @@
     </message>
     <message>
         <source>Tool</source>
-        <translation type="unfinished"></translation>
+        <translation>工具</translation>
     </message>
     <message>
         <source>Tool paths</source>
@@ -6876,7 +6872,7 @@
     </message>
     <message>
         <source>Tool paths are not split over beds: write the G-code, or choose a larger bed.</source>
-        <translation type="unfinished"></translation>
+        <translation>ツールパスは加工台ごとに分けられません。G コードを書き出すか、もっと大きい加工台を選んでください。</translation>
     </message>
     <message>
         <source>Tool paths, no file</source>
@@ -6916,7 +6912,7 @@
     </message>
     <message>
         <source>True length</source>
-        <translation type="unfinished"></translation>
+        <translation>実際の長さ</translation>
     </message>
     <message>
         <source>Try temperature and time on two scraps: the weld must stretch or tear before it opens.</source>
@@ -6928,7 +6924,7 @@
     </message>
     <message>
         <source>Turns a minute; empty: not known yet</source>
-        <translation type="unfinished"></translation>
+        <translation>毎分の回転数。空ならまだ不明</translation>
     </message>
     <message>
         <source>Twelve panels that follow a solid: change its sizes in the spreadsheet</source>
@@ -6980,11 +6976,11 @@
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>単位</translation>
     </message>
     <message>
         <source>Unit of the numbers in its files</source>
-        <translation type="unfinished"></translation>
+        <translation>この機械のファイルにある数の単位</translation>
     </message>
     <message>
         <source>Unknown</source>
@@ -6992,7 +6988,7 @@
     </message>
     <message>
         <source>Upload the SVG as a cut image and compare the control bar: some versions read the size at 72 dpi. Nothing is in the file that may not be cut. It adds the knife's offset and overcut itself. Design Space prints marks of its own (Print Then Cut), round at most 183 x 270 mm on A4: a print has none, and is refused where it is larger.</source>
-        <translation type="unfinished"></translation>
+        <translation>SVG をカット画像としてアップロードし、確認用の棒と比べてください。大きさを 72 dpi で読む版もあります。切ってはいけないものはファイルに入っていません。刃のオフセットとオーバーカットは自分で加えます。Design Space は独自の印を印刷します（Print Then Cut）。A4 では最大 183 x 270 mm を囲むため、印刷には印を入れず、それより大きい印刷は受け付けません。</translation>
     </message>
     <message>
         <source>Upper end</source>
@@ -7088,7 +7084,7 @@
     </message>
     <message>
         <source>Weld overrun</source>
-        <translation type="unfinished"></translation>
+        <translation>溶着の重なり</translation>
     </message>
     <message>
         <source>Weld rigidity</source>
@@ -7128,15 +7124,15 @@
     </message>
     <message>
         <source>What is cut is a line in the spot colour CutContour, which prints over the picture and leaves no gap in it. With artwork both are in artwork-print-and-cut-pdf.pdf. The shop's program adds marks of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>切る線は特色 CutContour の線で、絵の上に重なり、絵に抜けを作りません。絵柄があれば、両方が artwork-print-and-cut-pdf.pdf に入ります。業者のプログラムが独自の印を加えます。</translation>
     </message>
     <message>
         <source>What it can work on, such as 600 x 400 mm, or 600 mm for a roll; empty where there is no limit</source>
-        <translation type="unfinished"></translation>
+        <translation>加工できる大きさ。600 x 400 mm、ロールなら 600 mm など。制限がなければ空</translation>
     </message>
     <message>
         <source>What it holds</source>
-        <translation type="unfinished"></translation>
+        <translation>取り付けた工具</translation>
     </message>
     <message>
         <source>What it takes to make it</source>
@@ -7172,7 +7168,7 @@
     </message>
     <message>
         <source>What you want to read when you choose this machine, such as film and separating layer</source>
-        <translation type="unfinished"></translation>
+        <translation>この機械を選ぶときに読みたいこと（フィルムと敷き物など）</translation>
     </message>
     <message>
         <source>What {0} sent is not the native solver of this release: its SHA-256 is another one. It was not kept. {1}</source>
@@ -7220,7 +7216,7 @@
     </message>
     <message>
         <source>Width of film that the beam or cutter takes away: cuts are moved outward by half of it</source>
-        <translation type="unfinished"></translation>
+        <translation>ビームやカッターで失われるフィルムの幅：切り線はその半分だけ外側へ動きます</translation>
     </message>
     <message>
         <source>Width of the balloon when it is inflated</source>
@@ -7292,7 +7288,7 @@
     </message>
     <message>
         <source>Write several files, each as large as the bed. Crosses in waste film tell how the film is laid on anew for the next one</source>
-        <translation type="unfinished"></translation>
+        <translation>加工台の大きさごとに複数のファイルを書き出します。余白のフィルムの十字で、次のファイルのためにフィルムをどう置き直すかが分かります</translation>
     </message>
     <message>
         <source>Write the file although it is larger than the bed</source>
@@ -7332,7 +7328,7 @@
     </message>
     <message>
         <source>Writing the test card</source>
-        <translation type="unfinished"></translation>
+        <translation>テストカードを書き出しています</translation>
     </message>
     <message>
         <source>Writing {0}</source>
@@ -7360,7 +7356,7 @@
     </message>
     <message>
         <source>Zünd Cut Center (flat bed)</source>
-        <translation type="unfinished"></translation>
+        <translation>Zünd Cut Center（フラットベッド）</translation>
     </message>
     <message>
         <source>["200mm", "300mm"], {"linspace": ["1kPa", "3kPa", 5]} with how many, {"range": [6, 12, 2]} with the step, {"between": ["1kPa", "3kPa"]} for samples, or {"glob": "drawings/*.png"}</source>
@@ -7400,7 +7396,7 @@
     </message>
     <message>
         <source>a loop is no list of at least three points [x, y].</source>
-        <translation type="unfinished"></translation>
+        <translation>境界が 3 点以上の [x, y] の並びになっていません。</translation>
     </message>
     <message>
         <source>a mass</source>
@@ -7516,7 +7512,7 @@
     </message>
     <message>
         <source>baking paper</source>
-        <translation type="unfinished"></translation>
+        <translation>クッキングシート</translation>
     </message>
     <message>
         <source>balloon {0} of {1}</source>
@@ -7536,11 +7532,11 @@
     </message>
     <message>
         <source>bar or iron {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>バーかアイロン {0}</translation>
     </message>
     <message>
         <source>bed_mm is {0}: give [width, height], [width, null] for a roll, or null where there is no limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>bed_mm が {0} です。[幅, 高さ]、ロールなら [幅, null]、制限がなければ null にしてください。</translation>
     </message>
     <message>
         <source>both lie on borders of one piece</source>
@@ -7560,7 +7556,7 @@
     </message>
     <message>
         <source>crosses for the eye</source>
-        <translation type="unfinished"></translation>
+        <translation>目で合わせる十字</translation>
     </message>
     <message>
         <source>cut</source>
@@ -7696,7 +7692,7 @@
     </message>
     <message>
         <source>hot tip at {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>熱したこて先 {0}</translation>
     </message>
     <message>
         <source>hot wheel</source>
@@ -7760,7 +7756,7 @@
     </message>
     <message>
         <source>it has {0} shapes: give 1 to {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>形が {0} 個あります。1～{1} 個にしてください。</translation>
     </message>
     <message>
         <source>it is nested too deeply</source>
@@ -7792,7 +7788,7 @@
     </message>
     <message>
         <source>its lines cross or touch: give the edge of one piece of film, and its holes.</source>
-        <translation type="unfinished"></translation>
+        <translation>線が交わるか触れています。1 枚のフィルムの縁と、その穴を指定してください。</translation>
     </message>
     <message>
         <source>its points have lists.</source>
@@ -7820,7 +7816,7 @@
     </message>
     <message>
         <source>laying out</source>
-        <translation type="unfinished"></translation>
+        <translation>並べています</translation>
     </message>
     <message>
         <source>laying out, {0} so far</source>
@@ -7856,7 +7852,7 @@
     </message>
     <message>
         <source>line_mm of marks is {0}, and size_mm {1}: a line is at most half as wide as its mark.</source>
-        <translation type="unfinished"></translation>
+        <translation>印の line_mm が {0}、size_mm が {1} です。線の太さは印の大きさの半分までです。</translation>
     </message>
     <message>
         <source>loose: {}</source>
@@ -7876,19 +7872,19 @@
     </message>
     <message>
         <source>marks is {0}: give {"style": ...}, or leave it out for crosses.</source>
-        <translation type="unfinished"></translation>
+        <translation>marks が {0} です。{"style": ...} とするか、十字でよければ外してください。</translation>
     </message>
     <message>
         <source>marks of size_mm {0} and inset_mm {1} do not fit on a page_mm of {2}: give a larger page or smaller marks.</source>
-        <translation type="unfinished"></translation>
+        <translation>size_mm {0}、inset_mm {1} の印は page_mm {2} に収まりません。用紙を大きくするか、印を小さくしてください。</translation>
     </message>
     <message>
         <source>marks of style {0} have no "{1}": only {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>種類 {0} の印に "{1}" はありません。使えるのは {2} だけです。</translation>
     </message>
     <message>
         <source>marks of style {0} lack {1}: add it.</source>
-        <translation type="unfinished"></translation>
+        <translation>種類 {0} の印に {1} がありません。加えてください。</translation>
     </message>
     <message>
         <source>mass</source>
@@ -7908,7 +7904,7 @@
     </message>
     <message>
         <source>moved at {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>送り {0}</translation>
     </message>
     <message>
         <source>name a property of the balloon</source>
@@ -7948,7 +7944,7 @@
     </message>
     <message>
         <source>nobody knows the start value "{0}": it may be one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>最初に試す値 "{0}" は知られていません。{1} から選んでください。</translation>
     </message>
     <message>
         <source>not converged: </source>
@@ -7960,7 +7956,7 @@
     </message>
     <message>
         <source>nothing is left that is large enough to be used again</source>
-        <translation type="unfinished"></translation>
+        <translation>また使えるほど大きな残りがありません</translation>
     </message>
     <message>
         <source>number for full power</source>
@@ -7968,11 +7964,11 @@
     </message>
     <message>
         <source>on a remnant of</source>
-        <translation type="unfinished"></translation>
+        <translation>残材の上：</translation>
     </message>
     <message>
         <source>only a PDF has spot colours: give "format": "pdf", or leave them out.</source>
-        <translation type="unfinished"></translation>
+        <translation>特色があるのは PDF だけです。"format": "pdf" とするか、特色を外してください。</translation>
     </message>
     <message>
         <source>opacity</source>
@@ -7984,7 +7980,7 @@
     </message>
     <message>
         <source>outward of marks is {0}: write true or false.</source>
-        <translation type="unfinished"></translation>
+        <translation>印の outward が {0} です。true か false にしてください。</translation>
     </message>
     <message>
         <source>over</source>
@@ -8000,7 +7996,7 @@
     </message>
     <message>
         <source>pieces {0}, {1} {2}, {3} used</source>
-        <translation type="unfinished"></translation>
+        <translation>部品 {0}、{1} {2}、使用率 {3}</translation>
     </message>
     <message>
         <source>place "{0}" is neither {1} nor {2}.</source>
@@ -8012,7 +8008,7 @@
     </message>
     <message>
         <source>pressed for {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>押す時間 {0}</translation>
     </message>
     <message>
         <source>pressure</source>
@@ -8028,7 +8024,7 @@
     </message>
     <message>
         <source>reading the photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>写真を読んでいます</translation>
     </message>
     <message>
         <source>reading the solid</source>
@@ -8036,7 +8032,7 @@
     </message>
     <message>
         <source>remnants {0}, {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>残材 {0}、{1}</translation>
     </message>
     <message>
         <source>right</source>
@@ -8068,7 +8064,7 @@
     </message>
     <message>
         <source>speed</source>
-        <translation type="unfinished"></translation>
+        <translation>速度</translation>
     </message>
     <message>
         <source>speed of the spindle</source>
@@ -8080,7 +8076,7 @@
     </message>
     <message>
         <source>square_mm of marks is larger than size_mm, {0}: make it smaller.</source>
-        <translation type="unfinished"></translation>
+        <translation>印の square_mm が size_mm の {0} より大きくなっています。小さくしてください。</translation>
     </message>
     <message>
         <source>stale: </source>
@@ -8092,11 +8088,11 @@
     </message>
     <message>
         <source>start_values are of films that are welded by heat: give "joining": "heat" too.</source>
-        <translation type="unfinished"></translation>
+        <translation>start_values は熱で溶着するフィルムのものです。"joining": "heat" も指定してください。</translation>
     </message>
     <message>
         <source>start_values are {0}: give the values with their sources, or leave them out.</source>
-        <translation type="unfinished"></translation>
+        <translation>start_values が {0} です。値を出典とともに書くか、外してください。</translation>
     </message>
     <message>
         <source>stopped; {0}.</source>
@@ -8140,7 +8136,7 @@
     </message>
     <message>
         <source>test-card.json</source>
-        <translation type="unfinished"></translation>
+        <translation>test-card.json</translation>
     </message>
     <message>
         <source>the answer is not HTTP</source>
@@ -8180,7 +8176,7 @@
     </message>
     <message>
         <source>the layer name "{0}" may have 1 to 31 of A-Z, a-z, 0-9, _, - and $ only.</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤー名 "{0}" に使えるのは、A-Z、a-z、0-9、_、-、$ の 1～31 文字だけです。</translation>
     </message>
     <message>
         <source>the layer {0} lacks {1}: give speed and power together, or neither.</source>
@@ -8188,7 +8184,7 @@
     </message>
     <message>
         <source>the marks of {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} の印</translation>
     </message>
     <message>
         <source>the name "{0}" of the stock goes into file names: take letters a to z.</source>
@@ -8204,15 +8200,15 @@
     </message>
     <message>
         <source>the separating layer "{0}" is none of {1}: take one.</source>
-        <translation type="unfinished"></translation>
+        <translation>敷き物 "{0}" は {1} のどれでもありません。その中から選んでください。</translation>
     </message>
     <message>
         <source>the spot colour "{0}" may have letters, digits, _ and - only.</source>
-        <translation type="unfinished"></translation>
+        <translation>特色 "{0}" に使えるのは英数字、_、- だけです。</translation>
     </message>
     <message>
         <source>the style of marks</source>
-        <translation type="unfinished"></translation>
+        <translation>印の種類</translation>
     </message>
     <message>
         <source>the tool "{0}" is none of {1}.</source>
@@ -8236,7 +8232,7 @@
     </message>
     <message>
         <source>there is no unit "{0}": write "mm".</source>
-        <translation type="unfinished"></translation>
+        <translation>単位 "{0}" はありません。"mm" と書いてください。</translation>
     </message>
     <message>
         <source>thickness</source>
@@ -8252,7 +8248,7 @@
     </message>
     <message>
         <source>through a layer of {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} を間に敷いて</translation>
     </message>
     <message>
         <source>tight: {}</source>
@@ -8380,7 +8376,7 @@
     </message>
     <message>
         <source>{0} cannot be deleted: {1}. See who may write there.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} を削除できません：{1}。その場所に書き込めるか確かめてください。</translation>
     </message>
     <message>
         <source>{0} cannot be loaded ({1}).</source>
@@ -8396,7 +8392,7 @@
     </message>
     <message>
         <source>{0} cannot make crosses in the film to lay it on anew (layer REGISTRATION): choose another machine, or make the balloon smaller.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} はフィルムを置き直すための十字（レイヤー REGISTRATION）を付けられません。別の機械を選ぶか、風船を小さくしてください。</translation>
     </message>
     <message>
         <source>{0} cannot work: {1}</source>
@@ -8432,7 +8428,7 @@
     </message>
     <message>
         <source>{0} goes up to {1}, and {2} bears {3}: give less.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} は {1} まで上がりますが、{2} が耐えるのは {3} までです。小さくしてください。</translation>
     </message>
     <message>
         <source>{0} has a point that is no number or farther away than {1}. Check its coordinates and the unit.</source>
@@ -8688,7 +8684,7 @@
     </message>
     <message>
         <source>{0} is {1}: give a number, or [least, most].</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} が {1} です。数か、[最小, 最大] にしてください。</translation>
     </message>
     <message>
         <source>{0} is {1}: give a number.</source>
@@ -8696,11 +8692,11 @@
     </message>
     <message>
         <source>{0} is {1}: give numbers from {2} to {3}, the smaller one first.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} が {1} です。{2}～{3} の数を、小さい方を先にして指定してください。</translation>
     </message>
     <message>
         <source>{0} is {1}: write it as {"value": ..., "source": "who says so"}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} が {1} です。{"value": ..., "source": "出典"} のように書いてください。</translation>
     </message>
     <message>
         <source>{0} is {1}: write true or false.</source>
@@ -8708,7 +8704,7 @@
     </message>
     <message>
         <source>{0} lacks its source: write who states it. What nobody states is left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} に出典がありません。誰が示した値かを書いてください。誰も示していない値は書きません。</translation>
     </message>
     <message>
         <source>{0} left out ({1}).</source>
@@ -8764,11 +8760,11 @@
     </message>
     <message>
         <source>{0} of marks is {1}: give [width, height], or leave it out.</source>
-        <translation type="unfinished"></translation>
+        <translation>印の {0} が {1} です。[幅, 高さ] にするか、外してください。</translation>
     </message>
     <message>
         <source>{0} of marks is {1}: give a number from {2} to {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>印の {0} が {1} です。{2}～{3} の数にしてください。</translation>
     </message>
     <message>
         <source>{0} of {1} cannot be {2}: take another value.</source>
@@ -8876,7 +8872,7 @@
     </message>
     <message>
         <source>{0} {1}, and {2} takes at most {3}: make the balloon smaller, or print and cut it on another machine.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} {1} ですが、{2} で扱えるのは {3} までです。風船を小さくするか、別の機械で印刷して切ってください。</translation>
     </message>
     <message>
         <source>{0}, inflated: {1}</source>
@@ -8884,15 +8880,15 @@
     </message>
     <message>
         <source>{0}: '{1}' is no number, write one such as 20.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}：'{1}' は数ではありません。20 のように書いてください。</translation>
     </message>
     <message>
         <source>{0}: it is split over several files. Cut them in their order, and lay the film on anew each time so that its crosses are where the next file has them.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}。複数のファイルに分けます。順番に切り、そのつど、十字が次のファイルの十字の位置に来るようにフィルムを置き直してください。</translation>
     </message>
     <message>
         <source>{0}: its file lacks {1}: add it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}：ファイルに {1} がありません。加えてください。</translation>
     </message>
     <message>
         <source>{0}: lay its pieces out on sheets of that size, make the balloon smaller, or write the file anyway.</source>
@@ -8912,11 +8908,11 @@
     </message>
     <message>
         <source>{0}: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}：{1}</translation>
     </message>
     <message>
         <source>{0}: {1} mm is out of range, give {2} to {3} mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}：{1} mm は範囲外です。{2}～{3} mm にしてください。</translation>
     </message>
     <message>
         <source>{0}; wider than the usual roll</source>
@@ -8940,7 +8936,7 @@
     </message>
     <message>
         <source>{} (unusable)</source>
-        <translation type="unfinished"></translation>
+        <translation>{}（使えません）</translation>
     </message>
     <message>
         <source>{} ({})</source>
@@ -8972,11 +8968,11 @@
     </message>
     <message>
         <source>{} is among the films</source>
-        <translation type="unfinished"></translation>
+        <translation>{} がフィルムの一覧に入りました</translation>
     </message>
     <message>
         <source>{} is among the machines of Export pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>{} が「型紙を書き出す」の機械に入りました</translation>
     </message>
     <message>
         <source>{} is in the tree</source>
@@ -8992,7 +8988,7 @@
     </message>
     <message>
         <source>{} is there already: tick "Replace the files", or choose another folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>{} はすでにあります。「既存のファイルを置き換える」にチェックを入れるか、別のフォルダーを選んでください。</translation>
     </message>
     <message>
         <source>{} ms, {}, frame {} of {}</source>
@@ -9142,11 +9138,11 @@
     <name>BalloonWorkbench_Compare</name>
     <message>
         <source>Compare with a photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>写真と比べる</translation>
     </message>
     <message>
         <source>Lay a photograph of the finished balloon over the simulated one, and see how near it came</source>
-        <translation type="unfinished"></translation>
+        <translation>できた風船の写真をシミュレーションに重ね、どれだけ近いかを見る</translation>
     </message>
 </context>
 <context>
@@ -9241,11 +9237,11 @@
     <name>BalloonWorkbench_Machines</name>
     <message>
         <source>My machines</source>
-        <translation type="unfinished"></translation>
+        <translation>自分の機械</translation>
     </message>
     <message>
         <source>Set up cutters, lasers, sealers and printers of your own: bed, file format, kerf, knife and tool</source>
-        <translation type="unfinished"></translation>
+        <translation>自分のカッター、レーザー、シーラー、プリンターを設定する：加工台、ファイル形式、切り幅、刃、工具</translation>
     </message>
 </context>
 <context>
@@ -9285,11 +9281,11 @@
     <name>BalloonWorkbench_TestCard</name>
     <message>
         <source>Find feed, power, temperature or depth of a tool for a film: weld or cut a card of fields</source>
-        <translation type="unfinished"></translation>
+        <translation>フィルムに合う工具の送り速度、出力、温度、深さを見つける：欄を並べたカードを溶着または切る</translation>
     </message>
     <message>
         <source>Test card</source>
-        <translation type="unfinished"></translation>
+        <translation>テストカード</translation>
     </message>
 </context>
 <context>

@@ -124,7 +124,7 @@ class NestPanel(ObjectPanel):
         if obj.LaidOutFor:
             figures = translate("Pieces: {}, on {}, {} used").format(
                 obj.Pieces,
-                size_text(obj.UsedLength.Value, obj.UsedWidth.Value or obj.FilmWidth.Value),
+                size_text(obj.UsedLength.Value, obj.Shape.BoundBox.YLength or obj.FilmWidth.Value),
                 percent_text(0.01 * obj.Used),
             )
             if obj.Sheets > 1:
