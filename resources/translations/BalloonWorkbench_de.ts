@@ -345,7 +345,7 @@
     </message>
     <message>
         <source>Lay panels first onto what is left of another layout, as its file says; the rest on the film</source>
-        <translation type="unfinished"></translation>
+        <translation>Teile zuerst auf das legen, was von einem anderen Zuschnitt übrig ist, wie es in dessen Datei steht; den Rest auf die Folie</translation>
     </message>
     <message>
         <source>Least bending stiffness, in units of the usual least one</source>
@@ -501,7 +501,7 @@
     </message>
     <message>
         <source>On which remnant each sheet is, -1 for none</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf welchem Reststück jeder Bogen liegt, -1 für keines</translation>
     </message>
     <message>
         <source>Only one side of this film can be joined so</source>
@@ -709,7 +709,7 @@
     </message>
     <message>
         <source>The machine that finds the print again by its registration marks; empty has crosses for the eye</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Maschine, die den Druck an ihren Passermarken wiederfindet; leer: Kreuze fürs Auge</translation>
     </message>
     <message>
         <source>The outline whose drawing this one shares; empty: its own</source>
@@ -1092,7 +1092,7 @@
     </message>
     <message>
         <source>'{0}' cannot be the name of a machine: take up to 40 letters, digits, spaces and - only.</source>
-        <translation type="unfinished"></translation>
+        <translation>'{0}' kann kein Name einer Maschine sein: nehmen Sie höchstens 40 Buchstaben, Ziffern, Leerzeichen und -.</translation>
     </message>
     <message>
         <source>'{0}' has a column twice.</source>
@@ -1324,7 +1324,7 @@
     </message>
     <message>
         <source>--oversize scale makes the balloon smaller until it fits, --oversize split writes several files between which the film is moved, --oversize write writes the file anyway, --bed tells how large the bed is.</source>
-        <translation type="unfinished"></translation>
+        <translation>--oversize scale macht den Ballon kleiner, bis er passt, --oversize split schreibt mehrere Dateien, zwischen denen die Folie verschoben wird, --oversize write schreibt die Datei trotzdem, --bed sagt, wie groß das Bett ist.</translation>
     </message>
     <message>
         <source>--rim is the width of the weld and of the film beside it: give 0 to 1 m.</source>
@@ -1332,7 +1332,7 @@
     </message>
     <message>
         <source>--tabs-below is about tabs: give their width too, such as --tabs 0.4mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>--tabs-below betrifft Stege: geben Sie auch deren Breite, etwa --tabs 0.4mm.</translation>
     </message>
     <message>
         <source>--target-volume and --target-lift decide the size: leave out --width and --height.</source>
@@ -1352,7 +1352,7 @@
     </message>
     <message>
         <source>A GIF needs Pillow: install it with pip install pillow.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein GIF braucht Pillow: installieren Sie es mit pip install pillow.</translation>
     </message>
     <message>
         <source>A balloon has no "{0}": it has {1}.</source>
@@ -1364,7 +1364,7 @@
     </message>
     <message>
         <source>A bar is stated to weld {0} at {1}, this tool has {2}: peel a test card before you rely on it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Angegeben ist, dass ein Schweißbalken {0} bei {1} schweißt, dieses Werkzeug hat {2}: schälen Sie eine Testkarte, ehe Sie sich darauf verlassen.</translation>
     </message>
     <message>
         <source>A bed is that of a machine: give --machine too.</source>
@@ -1376,7 +1376,7 @@
     </message>
     <message>
         <source>A bed of {0} is too small to lay so much film on anew: give a larger one, or make the balloon smaller.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Bett von {0} ist zu klein, um so viel Folie neu aufzulegen: geben Sie ein größeres oder machen Sie den Ballon kleiner.</translation>
     </message>
     <message>
         <source>A body cannot be made of {0} gores. Take {1} to {2}.</source>
@@ -1416,15 +1416,15 @@
     </message>
     <message>
         <source>A film of this name is there already</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Folie dieses Namens gibt es schon</translation>
     </message>
     <message>
         <source>A film of your own beside the balloon's, with what was found; it changes no pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine eigene Folie neben der des Ballons, mit dem, was gefunden wurde; sie ändert kein Schnittmuster</translation>
     </message>
     <message>
         <source>A fitted film is kept beside the numbers of a known one: choose the balloon's film in its panel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine angepasste Folie wird neben den Zahlen einer bekannten behalten: wählen Sie die Folie des Ballons in seinem Bedienfeld.</translation>
     </message>
     <message>
         <source>A fitted film is written beside the numbers of a known one: give it by --material.</source>
@@ -1452,11 +1452,11 @@
     </message>
     <message>
         <source>A hot tip is stated to weld {0} at {1}, this tool has {2}: peel a test card before you rely on it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Angegeben ist, dass eine heiße Spitze {0} bei {1} schweißt, dieses Werkzeug hat {2}: schälen Sie eine Testkarte, ehe Sie sich darauf verlassen.</translation>
     </message>
     <message>
         <source>A known length, in pixels of the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine bekannte Länge, in Bildpunkten</translation>
     </message>
     <message>
         <source>A label has up to {0} letters, between 0.1 mm and 10 m high: change it.</source>
@@ -1540,7 +1540,7 @@
     </message>
     <message>
         <source>A print is not cut in parts: choose a machine with a larger bed than {0}, or make the balloon smaller.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Druck wird nicht in Teilen geschnitten: wählen Sie eine Maschine mit größerem Bett als {0} oder machen Sie den Ballon kleiner.</translation>
     </message>
     <message>
         <source>A process beside this one does not start: {0}</source>
@@ -1552,7 +1552,7 @@
     </message>
     <message>
         <source>A remnant is left of a layout: give --nest too, such as --nest 500mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Reststück bleibt von einem Zuschnitt: geben Sie auch --nest, etwa --nest 500mm.</translation>
     </message>
     <message>
         <source>A script needs to know how many shards it has: give --shards a number.</source>
@@ -1580,7 +1580,7 @@
     </message>
     <message>
         <source>A separating layer of PTFE gives off poisonous fumes above {0}, and baking paper chars above {1}: weld slower at a lower temperature, and air the room.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Trennschicht aus PTFE gibt über {0} giftige Dämpfe ab, und Backpapier verkohlt über {1}: schweißen Sie langsamer bei niedrigerer Temperatur und lüften Sie.</translation>
     </message>
     <message>
         <source>A setting is tried with up to twelve values, each once.</source>
@@ -1616,7 +1616,7 @@
     </message>
     <message>
         <source>A tab must be {0} to {1} wide, not {2}; 0 makes none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Steg muss {0} bis {1} breit sein, nicht {2}; 0 macht keine.</translation>
     </message>
     <message>
         <source>A test card is for a machine, in a folder: give --machine and --out.</source>
@@ -1628,7 +1628,7 @@
     </message>
     <message>
         <source>A tool has no "{0}": choose one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Werkzeug hat kein "{0}": wählen Sie eines von {1}.</translation>
     </message>
     <message>
         <source>A tool is that of a machine that reads G-code: give --machine gcode-grbl or another.</source>
@@ -1788,7 +1788,7 @@
     </message>
     <message>
         <source>Any size</source>
-        <translation type="unfinished"></translation>
+        <translation>Beliebige Größe</translation>
     </message>
     <message>
         <source>Apply</source>
@@ -1812,11 +1812,11 @@
     </message>
     <message>
         <source>As Summa with OPOS, and the bar between the lower squares shows the cutter whether the print is bent. Feed the sheet with the bar first. The layer Regmark is not cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie Summa mit OPOS, und der Balken zwischen den unteren Quadraten zeigt dem Schneider, ob der Druck verzogen ist. Legen Sie den Bogen mit dem Balken voran ein. Die Ebene Regmark wird nicht geschnitten.</translation>
     </message>
     <message>
         <source>As made</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie gebaut</translation>
     </message>
     <message>
         <source>As made over what was expected</source>
@@ -1908,7 +1908,7 @@
     </message>
     <message>
         <source>Bar of 100 mm to measure</source>
-        <translation type="unfinished"></translation>
+        <translation>Balken von 100 mm zum Messen</translation>
     </message>
     <message>
         <source>Bed</source>
@@ -1924,11 +1924,11 @@
     </message>
     <message>
         <source>Beside the pattern, to see whether the size was kept</source>
-        <translation type="unfinished"></translation>
+        <translation>Neben dem Schnittmuster, um zu sehen, ob die Größe erhalten blieb</translation>
     </message>
     <message>
         <source>Best field</source>
-        <translation type="unfinished"></translation>
+        <translation>Bestes Feld</translation>
     </message>
     <message>
         <source>Best of {0} balloons: {1}, with {2}.</source>
@@ -2008,7 +2008,7 @@
     </message>
     <message>
         <source>Card</source>
-        <translation type="unfinished"></translation>
+        <translation>Karte</translation>
     </message>
     <message>
         <source>Charts</source>
@@ -2056,7 +2056,7 @@
     </message>
     <message>
         <source>Choose a photograph first: a PNG, JPEG or BMP file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie zuerst ein Foto: eine PNG-, JPEG- oder BMP-Datei.</translation>
     </message>
     <message>
         <source>Choose a picture</source>
@@ -2068,7 +2068,7 @@
     </message>
     <message>
         <source>Choose a remnant</source>
-        <translation type="unfinished"></translation>
+        <translation>Reststück wählen</translation>
     </message>
     <message>
         <source>Choose a row first.</source>
@@ -2084,7 +2084,7 @@
     </message>
     <message>
         <source>Choose a test card</source>
-        <translation type="unfinished"></translation>
+        <translation>Testkarte wählen</translation>
     </message>
     <message>
         <source>Choose sketches, a file or a ready body.</source>
@@ -2116,15 +2116,15 @@
     </message>
     <message>
         <source>Click both ends of a length that you know; a third click moves the nearer mark.</source>
-        <translation type="unfinished"></translation>
+        <translation>Klicken Sie auf beide Enden einer Länge, die Sie kennen; ein dritter Klick verschiebt die nähere Marke.</translation>
     </message>
     <message>
         <source>Click both ends of a ruler in the picture, or of another known length</source>
-        <translation type="unfinished"></translation>
+        <translation>Klicken Sie auf beide Enden eines Lineals im Bild oder einer anderen bekannten Länge</translation>
     </message>
     <message>
         <source>Click to see it larger</source>
-        <translation type="unfinished"></translation>
+        <translation>Klicken, um es größer zu sehen</translation>
     </message>
     <message>
         <source>Click two places: a seam runs between them</source>
@@ -2140,7 +2140,7 @@
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>Schließen</translation>
     </message>
     <message>
         <source>Close the open task panel first.</source>
@@ -2156,19 +2156,19 @@
     </message>
     <message>
         <source>Compare</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergleichen</translation>
     </message>
     <message>
         <source>Compare with a photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit einem Foto vergleichen</translation>
     </message>
     <message>
         <source>Comparing with the photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergleich mit dem Foto</translation>
     </message>
     <message>
         <source>Comparing…</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergleiche…</translation>
     </message>
     <message>
         <source>Coordinates really are inches, and the header says so.</source>
@@ -2180,7 +2180,7 @@
     </message>
     <message>
         <source>Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopieren</translation>
     </message>
     <message>
         <source>Corner relief</source>
@@ -2192,7 +2192,7 @@
     </message>
     <message>
         <source>Crosses, by eye</source>
-        <translation type="unfinished"></translation>
+        <translation>Kreuze, fürs Auge</translation>
     </message>
     <message>
         <source>Crumpled</source>
@@ -2236,7 +2236,7 @@
     </message>
     <message>
         <source>Cuts without room for two tabs of {0} on a straight: {1}, the first near {2}. What they go round comes free.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnitte ohne Platz für zwei Stege von {0} auf einem geraden Stück: {1}, der erste bei {2}. Was sie umschließen, fällt heraus.</translation>
     </message>
     <message>
         <source>Cutting shop (DXF R12)</source>
@@ -2256,19 +2256,19 @@
     </message>
     <message>
         <source>Delete</source>
-        <translation type="unfinished"></translation>
+        <translation>Löschen</translation>
     </message>
     <message>
         <source>Delete it</source>
-        <translation type="unfinished"></translation>
+        <translation>Löschen</translation>
     </message>
     <message>
         <source>Delete {}? Its file goes for good.</source>
-        <translation type="unfinished"></translation>
+        <translation>{} löschen? Die Datei ist dann endgültig weg.</translation>
     </message>
     <message>
         <source>Depth</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiefe</translation>
     </message>
     <message>
         <source>Diameter {}, height {}, gores {} long</source>
@@ -2296,7 +2296,7 @@
     </message>
     <message>
         <source>Done</source>
-        <translation type="unfinished"></translation>
+        <translation>Fertig</translation>
     </message>
     <message>
         <source>Dots per inch</source>
@@ -2360,7 +2360,7 @@
     </message>
     <message>
         <source>Dwell</source>
-        <translation type="unfinished"></translation>
+        <translation>Verweilzeit</translation>
     </message>
     <message>
         <source>E across the grain</source>
@@ -2440,7 +2440,7 @@
     </message>
     <message>
         <source>Export begins with it</source>
-        <translation type="unfinished"></translation>
+        <translation>Export beginnt damit</translation>
     </message>
     <message>
         <source>Export pattern</source>
@@ -2448,7 +2448,7 @@
     </message>
     <message>
         <source>Export pattern begins with this machine; it is a preference</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnittmuster exportieren beginnt mit dieser Maschine; das ist eine Einstellung</translation>
     </message>
     <message>
         <source>Expression</source>
@@ -2472,11 +2472,11 @@
     </message>
     <message>
         <source>Feed</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorschub</translation>
     </message>
     <message>
         <source>Feed in corners</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorschub in Ecken</translation>
     </message>
     <message>
         <source>Fetch</source>
@@ -2508,7 +2508,7 @@
     </message>
     <message>
         <source>Fields: {}, on {} of film</source>
-        <translation type="unfinished"></translation>
+        <translation>Felder: {}, auf {} Folie</translation>
     </message>
     <message>
         <source>File</source>
@@ -2528,15 +2528,15 @@
     </message>
     <message>
         <source>Fill at the nozzle, to at most {column} of water.</source>
-        <translation type="unfinished"></translation>
+        <translation>An der Tülle füllen, bis höchstens {column} Wassersäule.</translation>
     </message>
     <message>
         <source>Fill through a straw in the neck, to at most {column} of water.</source>
-        <translation type="unfinished"></translation>
+        <translation>Durch einen Halm im Hals füllen, bis höchstens {column} Wassersäule.</translation>
     </message>
     <message>
         <source>Fill through a tube of 6 mm, its end cut aslant, pushed 25 mm past the seal across the neck, to at most {column} of water. Pull it out: the strips close by themselves.</source>
-        <translation type="unfinished"></translation>
+        <translation>Durch einen Schlauch von 6 mm füllen, am Ende schräg geschnitten, 25 mm über die Naht quer über den Hals hineingeschoben, bis höchstens {column} Wassersäule. Herausziehen: die Streifen schließen von selbst.</translation>
     </message>
     <message>
         <source>Fill through a tube of 6 mm, its end cut aslant, pushed 25 mm past the weld across the neck. Pull it out: the pressure presses the strips together.</source>
@@ -2612,7 +2612,7 @@
     </message>
     <message>
         <source>Find how much the film stretched, and how far the weld draws the seam inward</source>
-        <translation type="unfinished"></translation>
+        <translation>Finden, wie weit sich die Folie gedehnt hat und wie weit die Schweißnaht den Saum nach innen zieht</translation>
     </message>
     <message>
         <source>Find its place</source>
@@ -2620,7 +2620,7 @@
     </message>
     <message>
         <source>Fit the film, too</source>
-        <translation type="unfinished"></translation>
+        <translation>Auch die Folie anpassen</translation>
     </message>
     <message>
         <source>Fit to drawing</source>
@@ -2652,11 +2652,11 @@
     </message>
     <message>
         <source>For Send to Silhouette of inkscape-silhouette. The marks of a print lie on the layer Regmarks, which is not cut, 10 mm from the edges of A4 and 190 and 277 mm apart: give that there. Nothing is cut outside them. For other paper change page_mm in a copy.</source>
-        <translation type="unfinished"></translation>
+        <translation>Für Send to Silhouette von inkscape-silhouette. Die Marken eines Drucks liegen auf der Ebene Regmarks, die nicht geschnitten wird, 10 mm von den Rändern von A4 und 190 und 277 mm auseinander: geben Sie das dort ein. Außerhalb davon wird nichts geschnitten. Für anderes Papier ändern Sie page_mm in einer Kopie.</translation>
     </message>
     <message>
         <source>For {0} of {1} pieces there is no room on the remnant: give film for the rest too.</source>
-        <translation type="unfinished"></translation>
+        <translation>Für {0} von {1} Stücken ist auf dem Reststück kein Platz: geben Sie auch Folie für den Rest.</translation>
     </message>
     <message>
         <source>For {0} the drawing would be {1} large: choose a volume that makes it {2} to {3}.</source>
@@ -2764,7 +2764,7 @@
     </message>
     <message>
         <source>Give one or two settings several values, such as 200, 300, 400, and each of the others one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geben Sie einer oder zwei Einstellungen mehrere Werte, etwa 200, 300, 400, und jeder anderen einen.</translation>
     </message>
     <message>
         <source>Give the document the values of the chosen row</source>
@@ -2824,7 +2824,7 @@
     </message>
     <message>
         <source>Graphtec with ARMS (vinyl cutter)</source>
-        <translation type="unfinished"></translation>
+        <translation>Graphtec mit ARMS (Folienschneider)</translation>
     </message>
     <message>
         <source>Green</source>
@@ -2860,7 +2860,7 @@
     </message>
     <message>
         <source>Height between two lines; empty: 5 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Höhe zwischen zwei Linien; leer: 5 mm</translation>
     </message>
     <message>
         <source>Helium</source>
@@ -2892,11 +2892,11 @@
     </message>
     <message>
         <source>Hot tip</source>
-        <translation type="unfinished"></translation>
+        <translation>Heiße Spitze</translation>
     </message>
     <message>
         <source>Hot wheel</source>
-        <translation type="unfinished"></translation>
+        <translation>Heißes Rad</translation>
     </message>
     <message>
         <source>Hours of welding, where they are known</source>
@@ -2908,15 +2908,15 @@
     </message>
     <message>
         <source>How far a closed cut runs past its start; empty: six times the knife's offset</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie weit ein geschlossener Schnitt über seinen Anfang hinausläuft; leer: das Sechsfache des Messerversatzes</translation>
     </message>
     <message>
         <source>How far a closed weld runs past its start, so that the joint is tight</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie weit eine geschlossene Schweißnaht über ihren Anfang hinausläuft, damit der Stoß dicht ist</translation>
     </message>
     <message>
         <source>How far a swivel knife or wheel lies behind its axis; 0 where the machine makes up for it</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie weit ein Schleppmesser oder Rad hinter seiner Achse liegt; 0, wo die Maschine das ausgleicht</translation>
     </message>
     <message>
         <source>How far along it</source>
@@ -2928,7 +2928,7 @@
     </message>
     <message>
         <source>How far below the place where it touches the film it works: it presses so hard, or cuts so deep; of a laser its focus. Empty: not known yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie weit es unter der Stelle arbeitet, an der es die Folie berührt: so fest drückt oder so tief schneidet es; beim Laser sein Fokus. Leer: noch nicht bekannt</translation>
     </message>
     <message>
         <source>How far the balloon may be from the body on average, of the body's diagonal</source>
@@ -2940,19 +2940,19 @@
     </message>
     <message>
         <source>How far weld and film reach beyond the seam in the photograph; empty: as in the pattern, 0: folded back</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie weit Schweißnaht und Folie im Foto über den Saum hinausreichen; leer: wie im Schnittmuster, 0: zurückgeklappt</translation>
     </message>
     <message>
         <source>How fast it goes along a line; empty: not known yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie schnell es eine Linie entlangfährt; leer: noch nicht bekannt</translation>
     </message>
     <message>
         <source>How long a way from waste film to a weld may be; 0 for none</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie lang ein Weg von der Abfallfolie zur Schweißnaht sein darf; 0 für keinen</translation>
     </message>
     <message>
         <source>How long it waits before it moves along a line: film warms, a beam burns in, a spindle starts</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie lange es wartet, ehe es eine Linie entlangfährt: Folie wird warm, ein Strahl brennt ein, eine Spindel läuft an</translation>
     </message>
     <message>
         <source>How wide shall it be?</source>
@@ -3036,7 +3036,7 @@
     </message>
     <message>
         <source>It came with the workbench: copy it to set it up as your own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie kam mit der Workbench: kopieren Sie sie, um sie als Ihre eigene einzurichten.</translation>
     </message>
     <message>
         <source>It holds {} of the air that a round balloon of as much film would.</source>
@@ -3120,15 +3120,15 @@
     </message>
     <message>
         <source>Keep it</source>
-        <translation type="unfinished"></translation>
+        <translation>Behalten</translation>
     </message>
     <message>
         <source>Keep the best</source>
-        <translation type="unfinished"></translation>
+        <translation>Das beste behalten</translation>
     </message>
     <message>
         <source>Keep the film</source>
-        <translation type="unfinished"></translation>
+        <translation>Folie behalten</translation>
     </message>
     <message>
         <source>Keep the proportions</source>
@@ -3136,11 +3136,11 @@
     </message>
     <message>
         <source>Kept, and offered by Export pattern: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Behalten, und von Schnittmuster exportieren angeboten: {}</translation>
     </message>
     <message>
         <source>Kerf</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnittfuge</translation>
     </message>
     <message>
         <source>Kind</source>
@@ -3148,11 +3148,11 @@
     </message>
     <message>
         <source>Knife</source>
-        <translation type="unfinished"></translation>
+        <translation>Messer</translation>
     </message>
     <message>
         <source>Knife offset</source>
-        <translation type="unfinished"></translation>
+        <translation>Messerversatz</translation>
     </message>
     <message>
         <source>Kraft paper, 80 g/m²</source>
@@ -3184,7 +3184,7 @@
     </message>
     <message>
         <source>Laser</source>
-        <translation type="unfinished"></translation>
+        <translation>Laser</translation>
     </message>
     <message>
         <source>Lay a picture under the paper for tracing; press again to take it away</source>
@@ -3236,19 +3236,19 @@
     </message>
     <message>
         <source>Lead-in</source>
-        <translation type="unfinished"></translation>
+        <translation>Anfahrweg</translation>
     </message>
     <message>
         <source>Leak test: fill with air through a tube in the neck, closed round it by hand or with tape, to at most {column} of water in a hose. Wait 15 min, brush soapy water along the seams. Mark with a pen where bubbles grow, let the air out, dry it, seal there once more, test again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dichtprobe: durch einen Schlauch im Hals, mit der Hand oder mit Band darum geschlossen, mit Luft füllen, bis höchstens {column} Wassersäule in einem Schlauch. 15 min warten, Seifenwasser auf die Nähte streichen. Mit einem Stift anzeichnen, wo Blasen wachsen, die Luft ablassen, trocknen, dort noch einmal schweißen, wieder prüfen.</translation>
     </message>
     <message>
         <source>Leak test: fill with air to at most {column} of water in a hose. Wait 15 min, brush soapy water along the seams. Mark with a pen where bubbles grow, let the air out, dry it, seal there once more, test again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dichtprobe: mit Luft füllen, bis höchstens {column} Wassersäule in einem Schlauch. 15 min warten, Seifenwasser auf die Nähte streichen. Mit einem Stift anzeichnen, wo Blasen wachsen, die Luft ablassen, trocknen, dort noch einmal schweißen, wieder prüfen.</translation>
     </message>
     <message>
         <source>Leave tabs so wide in the cuts, such as 0.4 mm, on straights, two or more on each and one in 100 mm, so that pieces stay in the film. It is kept for this machine</source>
-        <translation type="unfinished"></translation>
+        <translation>So breite Stege in den Schnitten lassen, etwa 0,4 mm, auf geraden Stücken, zwei oder mehr in jedem und einer auf 100 mm, damit die Stücke in der Folie bleiben. Das wird für diese Maschine behalten</translation>
     </message>
     <message>
         <source>Left out: {0}</source>
@@ -3284,7 +3284,7 @@
     </message>
     <message>
         <source>Letters, digits, spaces and - only</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur Buchstaben, Ziffern, Leerzeichen und -</translation>
     </message>
     <message>
         <source>Lift</source>
@@ -3368,11 +3368,11 @@
     </message>
     <message>
         <source>Make a card</source>
-        <translation type="unfinished"></translation>
+        <translation>Karte machen</translation>
     </message>
     <message>
         <source>Make a machine of your own with the values of this one</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine eigene Maschine mit den Werten dieser machen</translation>
     </message>
     <message>
         <source>Make a sketch of the cuts</source>
@@ -3380,7 +3380,7 @@
     </message>
     <message>
         <source>Make a test card: nobody states a temperature for this film.</source>
-        <translation type="unfinished"></translation>
+        <translation>Machen Sie eine Testkarte: für diese Folie gibt niemand eine Temperatur an.</translation>
     </message>
     <message>
         <source>Make it!</source>
@@ -3400,15 +3400,15 @@
     </message>
     <message>
         <source>Mark a length</source>
-        <translation type="unfinished"></translation>
+        <translation>Länge anzeichnen</translation>
     </message>
     <message>
         <source>Mark a length in the picture, and give its true length, such as 300 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeichnen Sie eine Länge im Bild an und geben Sie ihre wahre Länge, etwa 300 mm.</translation>
     </message>
     <message>
         <source>Mark a length…</source>
-        <translation type="unfinished"></translation>
+        <translation>Länge anzeichnen…</translation>
     </message>
     <message>
         <source>Marks</source>
@@ -3416,7 +3416,7 @@
     </message>
     <message>
         <source>Marks for</source>
-        <translation type="unfinished"></translation>
+        <translation>Marken für</translation>
     </message>
     <message>
         <source>Marlin printer (G-code)</source>
@@ -3460,7 +3460,7 @@
     </message>
     <message>
         <source>Mimaki with register marks (vinyl cutter)</source>
-        <translation type="unfinished"></translation>
+        <translation>Mimaki mit Passermarken (Folienschneider)</translation>
     </message>
     <message>
         <source>Mind</source>
@@ -3492,19 +3492,19 @@
     </message>
     <message>
         <source>My machines</source>
-        <translation type="unfinished"></translation>
+        <translation>Meine Maschinen</translation>
     </message>
     <message>
         <source>My {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Meine {}</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Name</translation>
     </message>
     <message>
         <source>Name of the machine</source>
-        <translation type="unfinished"></translation>
+        <translation>Name der Maschine</translation>
     </message>
     <message>
         <source>Native</source>
@@ -3676,15 +3676,15 @@
     </message>
     <message>
         <source>Nobody but you knows the {0} of your {1} for this film: fill in My machines in FreeCAD, or give {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niemand als Sie kennt {0} für {1} und diese Folie: füllen Sie in FreeCAD Meine Maschinen aus oder geben Sie {2}.</translation>
     </message>
     <message>
         <source>Nobody but you knows this: {}. Give one value, or several to try.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niemand als Sie kennt das: {}. Geben Sie einen Wert oder mehrere zum Probieren.</translation>
     </message>
     <message>
         <source>Nobody states a temperature for this film. Make a test card: weld strips with several temperatures and times, peel them, keep the best.</source>
-        <translation type="unfinished"></translation>
+        <translation>Für diese Folie gibt niemand eine Temperatur an. Machen Sie eine Testkarte: Streifen mit mehreren Temperaturen und Zeiten schweißen, schälen, die besten behalten.</translation>
     </message>
     <message>
         <source>None</source>
@@ -3720,7 +3720,7 @@
     </message>
     <message>
         <source>Note</source>
-        <translation type="unfinished"></translation>
+        <translation>Bemerkung</translation>
     </message>
     <message>
         <source>Note: {0}</source>
@@ -3792,11 +3792,11 @@
     </message>
     <message>
         <source>Of the film of {0} nothing is left that is large enough to be used again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von der Folie von {0} ist nichts übrig, was groß genug ist, um wieder gebraucht zu werden.</translation>
     </message>
     <message>
         <source>Of the tip or wheel, 40 to 400 °C. Above 260 °C a layer of PTFE gives off poisonous fumes</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Spitze oder des Rads, 40 bis 400 °C. Über 260 °C gibt eine Schicht PTFE giftige Dämpfe ab</translation>
     </message>
     <message>
         <source>Off</source>
@@ -3872,7 +3872,7 @@
     </message>
     <message>
         <source>Only balloons of two equal panels are compared with a photograph: compare the panels of others one by one, with the command compare and its --flat.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur Ballons aus zwei gleichen Teilen werden mit einem Foto verglichen: vergleichen Sie die Teile anderer einzeln, mit dem Befehl compare und seinem --flat.</translation>
     </message>
     <message>
         <source>Only grades of this film with a sealing layer weld: try scraps before you cut.</source>
@@ -3880,7 +3880,7 @@
     </message>
     <message>
         <source>Only pieces that are no larger than this either way get tabs, such as 50 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur Stücke, die in keiner Richtung größer sind, bekommen Stege, etwa 50 mm</translation>
     </message>
     <message>
         <source>Only the middle of the weld. A closed weld runs past its start, so that the joint is tight.</source>
@@ -3888,7 +3888,7 @@
     </message>
     <message>
         <source>Only the shape is compared, at the size that fits best</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur die Form wird verglichen, in der Größe, die am besten passt</translation>
     </message>
     <message>
         <source>Only {0} of film stay between two cuts near {1}; {2} wants {3}. It may tear or melt there.</source>
@@ -3932,7 +3932,7 @@
     </message>
     <message>
         <source>Overcut</source>
-        <translation type="unfinished"></translation>
+        <translation>Überschnitt</translation>
     </message>
     <message>
         <source>PDF files, previews and labels need it; DXF, SVG and HPGL can be written.</source>
@@ -3940,7 +3940,7 @@
     </message>
     <message>
         <source>PNG, JPEG or BMP</source>
-        <translation type="unfinished"></translation>
+        <translation>PNG, JPEG oder BMP</translation>
     </message>
     <message>
         <source>Pa, its own range</source>
@@ -4152,7 +4152,7 @@
     </message>
     <message>
         <source>Photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>Foto</translation>
     </message>
     <message>
         <source>Pick an edge to see its partner.</source>
@@ -4188,7 +4188,7 @@
     </message>
     <message>
         <source>Pictures of the work</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder der Arbeit</translation>
     </message>
     <message>
         <source>Pieces of the side band cannot be {0} long. Give 0 or more.</source>
@@ -4204,7 +4204,7 @@
     </message>
     <message>
         <source>Pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>Bildpunkte</translation>
     </message>
     <message>
         <source>Place</source>
@@ -4284,7 +4284,7 @@
     </message>
     <message>
         <source>Power</source>
-        <translation type="unfinished"></translation>
+        <translation>Leistung</translation>
     </message>
     <message>
         <source>Predicted from the outline; not inflated yet.</source>
@@ -4320,7 +4320,7 @@
     </message>
     <message>
         <source>Print shop (PDF with CutContour)</source>
-        <translation type="unfinished"></translation>
+        <translation>Druckerei (PDF mit CutContour)</translation>
     </message>
     <message>
         <source>Print {0} at {1} dpi, all panels</source>
@@ -4344,7 +4344,7 @@
     </message>
     <message>
         <source>Pull the straw out and seal straight across the neck, beside the balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Halm herausziehen und gerade quer über den Hals schweißen, neben dem Ballon.</translation>
     </message>
     <message>
         <source>Push a straw in, fill, pull it out and close the neck like the seam, straight across beside the balloon.</source>
@@ -4380,7 +4380,7 @@
     </message>
     <message>
         <source>Reads</source>
-        <translation type="unfinished"></translation>
+        <translation>Liest</translation>
     </message>
     <message>
         <source>Ready body</source>
@@ -4404,11 +4404,11 @@
     </message>
     <message>
         <source>Remnant</source>
-        <translation type="unfinished"></translation>
+        <translation>Reststück</translation>
     </message>
     <message>
         <source>Remnants</source>
-        <translation type="unfinished"></translation>
+        <translation>Reststücke</translation>
     </message>
     <message>
         <source>Repair</source>
@@ -4420,7 +4420,7 @@
     </message>
     <message>
         <source>Replace it</source>
-        <translation type="unfinished"></translation>
+        <translation>Ersetzen</translation>
     </message>
     <message>
         <source>Replace the file</source>
@@ -4428,7 +4428,7 @@
     </message>
     <message>
         <source>Replace the files</source>
-        <translation type="unfinished"></translation>
+        <translation>Dateien ersetzen</translation>
     </message>
     <message>
         <source>Result</source>
@@ -4448,7 +4448,7 @@
     </message>
     <message>
         <source>Rim</source>
-        <translation type="unfinished"></translation>
+        <translation>Rand</translation>
     </message>
     <message>
         <source>Ring</source>
@@ -4464,15 +4464,15 @@
     </message>
     <message>
         <source>Roland with crop marks (vinyl cutter)</source>
-        <translation type="unfinished"></translation>
+        <translation>Roland mit Schneidmarken (Folienschneider)</translation>
     </message>
     <message>
         <source>Round pieces up to</source>
-        <translation type="unfinished"></translation>
+        <translation>Um Stücke bis</translation>
     </message>
     <message>
         <source>Round the print the marks span</source>
-        <translation type="unfinished"></translation>
+        <translation>Um den Druck, den die Marken umfassen</translation>
     </message>
     <message>
         <source>Round this hole the balloon may kink: with a weld creased to {percent} of its stiffness the outline moves by up to {length}; with one {wanted} wide, creased as much, by {less}.</source>
@@ -4508,7 +4508,7 @@
     </message>
     <message>
         <source>S at full power</source>
-        <translation type="unfinished"></translation>
+        <translation>S bei voller Leistung</translation>
     </message>
     <message>
         <source>STL, OBJ, PLY, 3MF or STEP</source>
@@ -4556,7 +4556,7 @@
     </message>
     <message>
         <source>Save files…</source>
-        <translation type="unfinished"></translation>
+        <translation>Dateien speichern…</translation>
     </message>
     <message>
         <source>Save results</source>
@@ -4592,19 +4592,19 @@
     </message>
     <message>
         <source>Seal across the neck along its line, through panels and strips. The field keeps the channel open.</source>
-        <translation type="unfinished"></translation>
+        <translation>Quer über den Hals entlang seiner Linie schweißen, durch Teile und Streifen. Das Feld hält den Kanal offen.</translation>
     </message>
     <message>
         <source>Seal the lines inside.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Linien innen schweißen.</translation>
     </message>
     <message>
         <source>Seal the outline, {seal} wide, all but the mouth of the neck.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Umriss schweißen, {seal} breit, alles außer der Mündung des Halses.</translation>
     </message>
     <message>
         <source>Seal the outline, {seal} wide, all the way round.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Umriss schweißen, {seal} breit, ganz herum.</translation>
     </message>
     <message>
         <source>Seal the seams in the order of the pictures along the dashed line, {seal} wide, from end to end.</source>
@@ -4804,7 +4804,7 @@
     </message>
     <message>
         <source>Set up machines of your own</source>
-        <translation type="unfinished"></translation>
+        <translation>Eigene Maschinen einrichten</translation>
     </message>
     <message>
         <source>Shadows on the background were taken off.</source>
@@ -4816,11 +4816,11 @@
     </message>
     <message>
         <source>Share of the feed near corners and in narrow bends</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil des Vorschubs nahe Ecken und in engen Bögen</translation>
     </message>
     <message>
         <source>Share of the laser's full power; empty: not known yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil der vollen Leistung des Lasers; leer: noch nicht bekannt</translation>
     </message>
     <message>
         <source>Sheet length</source>
@@ -4876,7 +4876,7 @@
     </message>
     <message>
         <source>Silhouette from Inkscape</source>
-        <translation type="unfinished"></translation>
+        <translation>Silhouette aus Inkscape</translation>
     </message>
     <message>
         <source>Silhouette off the drawing</source>
@@ -4904,7 +4904,7 @@
     </message>
     <message>
         <source>Size unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe unbekannt</translation>
     </message>
     <message>
         <source>So far it is a line. Close it, or paint an area, and it becomes a balloon.</source>
@@ -4932,15 +4932,15 @@
     </message>
     <message>
         <source>Spindle</source>
-        <translation type="unfinished"></translation>
+        <translation>Spindel</translation>
     </message>
     <message>
         <source>Split over beds</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf Betten aufteilen</translation>
     </message>
     <message>
         <source>Split over beds of {0}, the pattern leaves no waste film for two crosses {1} apart by which it is laid on anew: choose a larger bed, or lay the pieces out on sheets.</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf Betten von {0} aufgeteilt, lässt das Schnittmuster keine Abfallfolie für zwei Kreuze im Abstand {1}, nach denen sie neu aufgelegt wird: wählen Sie ein größeres Bett oder verteilen Sie die Stücke auf Bögen.</translation>
     </message>
     <message>
         <source>Spot in 16 panels</source>
@@ -4948,15 +4948,15 @@
     </message>
     <message>
         <source>Start values for welding: {0} ({1}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Startwerte zum Schweißen: {0} ({1}).</translation>
     </message>
     <message>
         <source>Start values, not tried on your film and tool: {start_values} ({start_sources}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Startwerte, nicht auf Ihrer Folie und mit Ihrem Werkzeug erprobt: {start_values} ({start_sources}).</translation>
     </message>
     <message>
         <source>Stated is: {0} ({1}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Angegeben ist: {0} ({1}).</translation>
     </message>
     <message>
         <source>Steps</source>
@@ -4988,7 +4988,7 @@
     </message>
     <message>
         <source>Straight from the front, from far away, on a plain background of another colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Gerade von vorn, von weit weg, vor einfarbigem Hintergrund in anderer Farbe</translation>
     </message>
     <message>
         <source>Straw neck</source>
@@ -5016,15 +5016,15 @@
     </message>
     <message>
         <source>Such as Tip for PE</source>
-        <translation type="unfinished"></translation>
+        <translation>Etwa Spitze für PE</translation>
     </message>
     <message>
         <source>Summa with OPOS (vinyl cutter)</source>
-        <translation type="unfinished"></translation>
+        <translation>Summa mit OPOS (Folienschneider)</translation>
     </message>
     <message>
         <source>Summa with OPOS XY (vinyl cutter)</source>
-        <translation type="unfinished"></translation>
+        <translation>Summa mit OPOS XY (Folienschneider)</translation>
     </message>
     <message>
         <source>Symmetry</source>
@@ -5040,11 +5040,11 @@
     </message>
     <message>
         <source>Tabs</source>
-        <translation type="unfinished"></translation>
+        <translation>Stege</translation>
     </message>
     <message>
         <source>Tabs are left by a machine that cuts: give --machine too, and one that does.</source>
-        <translation type="unfinished"></translation>
+        <translation>Stege lässt eine Maschine, die schneidet: geben Sie auch --machine, und zwar eine solche.</translation>
     </message>
     <message>
         <source>Tacked to one panel</source>
@@ -5116,7 +5116,7 @@
     </message>
     <message>
         <source>Temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>Temperatur</translation>
     </message>
     <message>
         <source>Temperatures need scipy: install it with pip install scipy.</source>
@@ -5128,15 +5128,15 @@
     </message>
     <message>
         <source>Test card</source>
-        <translation type="unfinished"></translation>
+        <translation>Testkarte</translation>
     </message>
     <message>
         <source>Test card written to {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Testkarte nach {} geschrieben</translation>
     </message>
     <message>
         <source>Test cards</source>
-        <translation type="unfinished"></translation>
+        <translation>Testkarten</translation>
     </message>
     <message>
         <source>That of the front</source>
@@ -5376,7 +5376,7 @@
     </message>
     <message>
         <source>The bar of {0} does not fit between marks that are {1} apart: make the balloon larger, or print several beside each other.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Balken von {0} passt nicht zwischen Marken im Abstand {1}: machen Sie den Ballon größer oder drucken Sie mehrere nebeneinander.</translation>
     </message>
     <message>
         <source>The bending floor must be between 0 and 1, not {0}. Usual is {1}.</source>
@@ -5424,7 +5424,7 @@
     </message>
     <message>
         <source>The camera finds the dots round a print, on the layer Register; the fifth tells how the sheet lies. The layer Register is not cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kamera findet die Punkte um einen Druck, auf der Ebene Register; der fünfte sagt, wie der Bogen liegt. Die Ebene Register wird nicht geschnitten.</translation>
     </message>
     <message>
         <source>The caps are too large for the ball. Choose a smaller diameter for them.</source>
@@ -5448,11 +5448,11 @@
     </message>
     <message>
         <source>The cutter finds the four discs round a print itself. VersaWorks prints discs of its own: give it the PDF for print and cut instead. The layer REGISTRATION is not cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Schneider findet die vier Scheiben um einen Druck selbst. VersaWorks druckt eigene Scheiben: geben Sie ihm stattdessen das PDF zum Drucken und Schneiden. Die Ebene REGISTRATION wird nicht geschnitten.</translation>
     </message>
     <message>
         <source>The cutter finds the squares at both sides of a print itself, on the layer Regmark, which is not cut. Set their size of 3 mm and their distances there, where its program does not read them. Feed the sheet with its lower edge first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Schneider findet die Quadrate an beiden Seiten eines Drucks selbst, auf der Ebene Regmark, die nicht geschnitten wird. Stellen Sie dort ihre Größe von 3 mm und ihre Abstände ein, wo sein Programm sie nicht liest. Legen Sie den Bogen mit der Unterkante voran ein.</translation>
     </message>
     <message>
         <source>The drawing cannot be reached everywhere: the silhouette is up to {} off it.</source>
@@ -5580,11 +5580,11 @@
     </message>
     <message>
         <source>The file of what is left of another layout: pieces are laid inside it first</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei dessen, was von einem anderen Zuschnitt übrig ist: Stücke werden zuerst hineingelegt</translation>
     </message>
     <message>
         <source>The file test-card.json that was written with the card</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei test-card.json, die mit der Karte geschrieben wurde</translation>
     </message>
     <message>
         <source>The file {0} is of no use: {1}. Install it anew.</source>
@@ -5592,7 +5592,7 @@
     </message>
     <message>
         <source>The files that it, or its program, opens</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Dateien, die sie oder ihr Programm öffnet</translation>
     </message>
     <message>
         <source>The film '{0}' has no mass. Give its areal density.</source>
@@ -5660,7 +5660,7 @@
     </message>
     <message>
         <source>The free edition opens DXF, not SVG. Choose "as is" for the size in the import preferences. Silhouette adds the knife's offset and overcut. Nothing is in the file that may not be cut. Studio draws registration marks itself, print them from there; or set page A4, inset 10 mm, length 8.4 mm and thickness 1 mm there and lay the file's marks on them, not to be cut: a print has the same. Nothing is cut outside them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die kostenlose Ausgabe öffnet DXF, nicht SVG. Wählen Sie "wie es ist" für die Größe in den Importeinstellungen. Silhouette fügt Messerversatz und Überschnitt selbst hinzu. In der Datei ist nichts, was nicht geschnitten werden darf. Studio zeichnet Passermarken selbst, drucken Sie sie von dort; oder stellen Sie dort Seite A4, Abstand 10 mm, Länge 8,4 mm und Dicke 1 mm ein und legen Sie die Marken der Datei darauf, nicht zum Schneiden: ein Druck hat dieselben. Außerhalb davon wird nichts geschnitten.</translation>
     </message>
     <message>
         <source>The goal has {0} combinations to choose from, of which each is tried: list 1 to {1}.</source>
@@ -5828,7 +5828,7 @@
     </message>
     <message>
         <source>The machine that finds the print again by its registration marks, printed round it</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Maschine, die den Druck an seinen Passermarken wiederfindet, die um ihn gedruckt werden</translation>
     </message>
     <message>
         <source>The mesh has a triangle with a point that is not there. Save it once more.</source>
@@ -5904,7 +5904,7 @@
     </message>
     <message>
         <source>The number that the controller takes for full power: $30 of GRBL</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zahl, die die Steuerung für volle Leistung nimmt: $30 bei GRBL</translation>
     </message>
     <message>
         <source>The opening is at point {0} of panel '{1}', whose points are 0 to {2}. Choose one of them.</source>
@@ -6044,7 +6044,7 @@
     </message>
     <message>
         <source>The picture, and all figures as JSON</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Bild, und alle Zahlen als JSON</translation>
     </message>
     <message>
         <source>The pieces of the intake "{0}" are cut from {1}: they have a file of their own, with all of them for each balloon.</source>
@@ -6068,11 +6068,11 @@
     </message>
     <message>
         <source>The plotter finds the marks of a print itself. Set mark type 1 and a size of 10 mm there. The layer REGISTRATION is not cut. The knife's offset belongs into the plotter.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Plotter findet die Marken eines Drucks selbst. Stellen Sie dort Markenart 1 und eine Größe von 10 mm ein. Die Ebene REGISTRATION wird nicht geschnitten. Der Messerversatz gehört in den Plotter.</translation>
     </message>
     <message>
         <source>The plotter finds the marks of a print itself. Set shape 1 and a size of 10 mm there. FineCut takes marks only that it made itself: let it make them in the place of these. The layer REGISTRATION is not cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Plotter findet die Marken eines Drucks selbst. Stellen Sie dort Form 1 und eine Größe von 10 mm ein. FineCut nimmt nur Marken, die es selbst gemacht hat: lassen Sie es sie anstelle dieser machen. Die Ebene REGISTRATION wird nicht geschnitten.</translation>
     </message>
     <message>
         <source>The pressure at the lower end must be 0 or more.</source>
@@ -6092,15 +6092,15 @@
     </message>
     <message>
         <source>The print has {0}, and {1} looks for others: print once more with its marks ({2}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Druck hat {0}, und {1} sucht andere: drucken Sie noch einmal mit deren Marken ({2}).</translation>
     </message>
     <message>
         <source>The print measures</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Druck misst</translation>
     </message>
     <message>
         <source>The print measures {0}, and between the marks of {1} there are {2} on paper of {3}: make the balloon smaller, or give larger paper as page_mm of the marks in a file of your machine.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Druck misst {0}, und zwischen den Marken von {1} sind {2} auf Papier von {3}: machen Sie den Ballon kleiner oder geben Sie größeres Papier als page_mm der Marken in einer Datei Ihrer Maschine.</translation>
     </message>
     <message>
         <source>The print on film</source>
@@ -6108,7 +6108,7 @@
     </message>
     <message>
         <source>The print reaches into the marks of {0}, or comes nearer than {1}: make the balloon smaller, or give larger paper as page_mm of the marks in a file of your machine.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Druck reicht in die Marken von {0} oder kommt näher als {1}: machen Sie den Ballon kleiner oder geben Sie größeres Papier als page_mm der Marken in einer Datei Ihrer Maschine.</translation>
     </message>
     <message>
         <source>The profile crosses or touches itself at {0}. Draw a simple line.</source>
@@ -6152,15 +6152,15 @@
     </message>
     <message>
         <source>The remnant is of {0} film, and no piece here is cut from that.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Reststück ist aus Folie {0}, und daraus wird hier kein Stück geschnitten.</translation>
     </message>
     <message>
         <source>The remnant {0} is of no use: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Reststück {0} ist nicht zu gebrauchen: {1}</translation>
     </message>
     <message>
         <source>The remnant {0} lacks {1}: add it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dem Reststück {0} fehlt {1}: fügen Sie es hinzu.</translation>
     </message>
     <message>
         <source>The repair at {0} no longer fits, {1}: take it back or draw that part anew.</source>
@@ -6172,7 +6172,7 @@
     </message>
     <message>
         <source>The rim is the width of the weld and of the film beside it: give 0 to 1 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Rand ist die Breite der Schweißnaht und der Folie daneben: geben Sie 0 bis 1 m.</translation>
     </message>
     <message>
         <source>The row has more cells than there are columns: leave out what is too much.</source>
@@ -6188,7 +6188,7 @@
     </message>
     <message>
         <source>The same length as it is, such as 300 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieselbe Länge, wie sie ist, etwa 300 mm</translation>
     </message>
     <message>
         <source>The scale '{0}' cannot be used: {1}.</source>
@@ -6560,11 +6560,11 @@
     </message>
     <message>
         <source>There is a film {0} already: say that it may be replaced.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Folie {0} gibt es schon: sagen Sie, dass sie ersetzt werden darf.</translation>
     </message>
     <message>
         <source>There is a machine {0} already: give this one another name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Maschine {0} gibt es schon: geben Sie dieser einen anderen Namen.</translation>
     </message>
     <message>
         <source>There is advice about two equal panels only: of many, the warnings tell.</source>
@@ -6720,7 +6720,7 @@
     </message>
     <message>
         <source>This OpenCV writes no MP4: take --animation gif, or install opencv-python-headless with pip.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses OpenCV schreibt kein MP4: nehmen Sie --animation gif oder installieren Sie opencv-python-headless mit pip.</translation>
     </message>
     <message>
         <source>This Python has no working ctypes module, which SciPy and the native solver need: patterns can be changed and written, but no balloon can be inflated anew. Take another build of FreeCAD or of Python.</source>
@@ -6816,11 +6816,11 @@
     </message>
     <message>
         <source>Tie a ribbon round the neck, and to it a weight heavier than the {lift} that {gas} lifts. No metallic ribbon on foil, never let it fly.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Band um den Hals binden und daran ein Gewicht, schwerer als die {lift}, die {gas} hebt. Kein metallisches Band an Folie, nie fliegen lassen.</translation>
     </message>
     <message>
         <source>Tie a ribbon round the neck, to hang it up or to hold it: it does not float.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Band um den Hals binden, zum Aufhängen oder Halten: er schwebt nicht.</translation>
     </message>
     <message>
         <source>Tip that stays flat</source>
@@ -6832,15 +6832,15 @@
     </message>
     <message>
         <source>To cut, your settings of {cut_machine}: {cut}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum Schneiden Ihre Einstellungen von {cut_machine}: {cut}.</translation>
     </message>
     <message>
         <source>To let the gas out, cut the seal across the neck off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Um das Gas abzulassen, die Naht quer über den Hals abschneiden.</translation>
     </message>
     <message>
         <source>To let the gas out, push a straw in through the neck until it hisses, and press gently. Keep the balloon flat, not folded: it can be filled again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Um das Gas abzulassen, einen Halm durch den Hals hineinschieben, bis es zischt, und sanft drücken. Den Ballon flach aufheben, nicht gefaltet: er kann wieder gefüllt werden.</translation>
     </message>
     <message>
         <source>To this value, with its unit</source>
@@ -6848,7 +6848,7 @@
     </message>
     <message>
         <source>To weld, your settings of {weld_machine}: {weld}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum Schweißen Ihre Einstellungen von {weld_machine}: {weld}.</translation>
     </message>
     <message>
         <source>Tolerances are worked out for two equal panels of one shape: </source>
@@ -6864,7 +6864,7 @@
     </message>
     <message>
         <source>Tool</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkzeug</translation>
     </message>
     <message>
         <source>Tool paths</source>
@@ -6872,7 +6872,7 @@
     </message>
     <message>
         <source>Tool paths are not split over beds: write the G-code, or choose a larger bed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkzeugwege werden nicht auf Betten aufgeteilt: schreiben Sie den G-Code oder wählen Sie ein größeres Bett.</translation>
     </message>
     <message>
         <source>Tool paths, no file</source>
@@ -6912,7 +6912,7 @@
     </message>
     <message>
         <source>True length</source>
-        <translation type="unfinished"></translation>
+        <translation>Wahre Länge</translation>
     </message>
     <message>
         <source>Try temperature and time on two scraps: the weld must stretch or tear before it opens.</source>
@@ -6924,7 +6924,7 @@
     </message>
     <message>
         <source>Turns a minute; empty: not known yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Umdrehungen in der Minute; leer: noch nicht bekannt</translation>
     </message>
     <message>
         <source>Twelve panels that follow a solid: change its sizes in the spreadsheet</source>
@@ -6976,11 +6976,11 @@
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheit</translation>
     </message>
     <message>
         <source>Unit of the numbers in its files</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheit der Zahlen in ihren Dateien</translation>
     </message>
     <message>
         <source>Unknown</source>
@@ -6988,7 +6988,7 @@
     </message>
     <message>
         <source>Upload the SVG as a cut image and compare the control bar: some versions read the size at 72 dpi. Nothing is in the file that may not be cut. It adds the knife's offset and overcut itself. Design Space prints marks of its own (Print Then Cut), round at most 183 x 270 mm on A4: a print has none, and is refused where it is larger.</source>
-        <translation type="unfinished"></translation>
+        <translation>Laden Sie das SVG als Schneidebild hoch und vergleichen Sie den Kontrollbalken: manche Fassungen lesen die Größe mit 72 dpi. In der Datei ist nichts, was nicht geschnitten werden darf. Messerversatz und Überschnitt fügt es selbst hinzu. Design Space druckt eigene Marken (Print Then Cut), um höchstens 183 x 270 mm auf A4: ein Druck hat keine und wird verweigert, wo er größer ist.</translation>
     </message>
     <message>
         <source>Upper end</source>
@@ -7084,7 +7084,7 @@
     </message>
     <message>
         <source>Weld overrun</source>
-        <translation type="unfinished"></translation>
+        <translation>Überlauf der Schweißnaht</translation>
     </message>
     <message>
         <source>Weld rigidity</source>
@@ -7124,15 +7124,15 @@
     </message>
     <message>
         <source>What is cut is a line in the spot colour CutContour, which prints over the picture and leaves no gap in it. With artwork both are in artwork-print-and-cut-pdf.pdf. The shop's program adds marks of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was geschnitten wird, ist eine Linie in der Schmuckfarbe CutContour, die über das Bild druckt und keine Lücke darin lässt. Mit Druckbild ist beides in artwork-print-and-cut-pdf.pdf. Das Programm der Druckerei fügt eigene Marken hinzu.</translation>
     </message>
     <message>
         <source>What it can work on, such as 600 x 400 mm, or 600 mm for a roll; empty where there is no limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Worauf sie arbeiten kann, etwa 600 x 400 mm, oder 600 mm für eine Rolle; leer, wo es keine Grenze gibt</translation>
     </message>
     <message>
         <source>What it holds</source>
-        <translation type="unfinished"></translation>
+        <translation>Was sie hält</translation>
     </message>
     <message>
         <source>What it takes to make it</source>
@@ -7168,7 +7168,7 @@
     </message>
     <message>
         <source>What you want to read when you choose this machine, such as film and separating layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Was Sie lesen wollen, wenn Sie diese Maschine wählen, etwa Folie und Trennschicht</translation>
     </message>
     <message>
         <source>What {0} sent is not the native solver of this release: its SHA-256 is another one. It was not kept. {1}</source>
@@ -7216,7 +7216,7 @@
     </message>
     <message>
         <source>Width of film that the beam or cutter takes away: cuts are moved outward by half of it</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite der Folie, die Strahl oder Schneider wegnimmt: Schnitte werden um die Hälfte nach außen verschoben</translation>
     </message>
     <message>
         <source>Width of the balloon when it is inflated</source>
@@ -7288,7 +7288,7 @@
     </message>
     <message>
         <source>Write several files, each as large as the bed. Crosses in waste film tell how the film is laid on anew for the next one</source>
-        <translation type="unfinished"></translation>
+        <translation>Mehrere Dateien schreiben, jede so groß wie das Bett. Kreuze in der Abfallfolie sagen, wie die Folie für die nächste neu aufgelegt wird</translation>
     </message>
     <message>
         <source>Write the file although it is larger than the bed</source>
@@ -7328,7 +7328,7 @@
     </message>
     <message>
         <source>Writing the test card</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Testkarte wird geschrieben</translation>
     </message>
     <message>
         <source>Writing {0}</source>
@@ -7356,7 +7356,7 @@
     </message>
     <message>
         <source>Zünd Cut Center (flat bed)</source>
-        <translation type="unfinished"></translation>
+        <translation>Zünd Cut Center (Flachbett)</translation>
     </message>
     <message>
         <source>["200mm", "300mm"], {"linspace": ["1kPa", "3kPa", 5]} with how many, {"range": [6, 12, 2]} with the step, {"between": ["1kPa", "3kPa"]} for samples, or {"glob": "drawings/*.png"}</source>
@@ -7396,7 +7396,7 @@
     </message>
     <message>
         <source>a loop is no list of at least three points [x, y].</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Schleife ist keine Liste von mindestens drei Punkten [x, y].</translation>
     </message>
     <message>
         <source>a mass</source>
@@ -7512,7 +7512,7 @@
     </message>
     <message>
         <source>baking paper</source>
-        <translation type="unfinished"></translation>
+        <translation>Backpapier</translation>
     </message>
     <message>
         <source>balloon {0} of {1}</source>
@@ -7532,11 +7532,11 @@
     </message>
     <message>
         <source>bar or iron {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Balken oder Bügeleisen {0}</translation>
     </message>
     <message>
         <source>bed_mm is {0}: give [width, height], [width, null] for a roll, or null where there is no limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>bed_mm ist {0}: geben Sie [Breite, Höhe], [Breite, null] für eine Rolle oder null, wo es keine Grenze gibt.</translation>
     </message>
     <message>
         <source>both lie on borders of one piece</source>
@@ -7556,7 +7556,7 @@
     </message>
     <message>
         <source>crosses for the eye</source>
-        <translation type="unfinished"></translation>
+        <translation>Kreuze fürs Auge</translation>
     </message>
     <message>
         <source>cut</source>
@@ -7692,7 +7692,7 @@
     </message>
     <message>
         <source>hot tip at {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>heiße Spitze bei {0}</translation>
     </message>
     <message>
         <source>hot wheel</source>
@@ -7756,7 +7756,7 @@
     </message>
     <message>
         <source>it has {0} shapes: give 1 to {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>es hat {0} Formen: geben Sie 1 bis {1}.</translation>
     </message>
     <message>
         <source>it is nested too deeply</source>
@@ -7788,7 +7788,7 @@
     </message>
     <message>
         <source>its lines cross or touch: give the edge of one piece of film, and its holes.</source>
-        <translation type="unfinished"></translation>
+        <translation>seine Linien kreuzen oder berühren sich: geben Sie den Rand eines einzigen Stücks Folie und seine Löcher.</translation>
     </message>
     <message>
         <source>its points have lists.</source>
@@ -7816,7 +7816,7 @@
     </message>
     <message>
         <source>laying out</source>
-        <translation type="unfinished"></translation>
+        <translation>Auslegen</translation>
     </message>
     <message>
         <source>laying out, {0} so far</source>
@@ -7852,7 +7852,7 @@
     </message>
     <message>
         <source>line_mm of marks is {0}, and size_mm {1}: a line is at most half as wide as its mark.</source>
-        <translation type="unfinished"></translation>
+        <translation>line_mm der Marken ist {0}, und size_mm {1}: eine Linie ist höchstens halb so breit wie ihre Marke.</translation>
     </message>
     <message>
         <source>loose: {}</source>
@@ -7872,19 +7872,19 @@
     </message>
     <message>
         <source>marks is {0}: give {"style": ...}, or leave it out for crosses.</source>
-        <translation type="unfinished"></translation>
+        <translation>marks ist {0}: geben Sie {"style": ...} oder lassen Sie es für Kreuze weg.</translation>
     </message>
     <message>
         <source>marks of size_mm {0} and inset_mm {1} do not fit on a page_mm of {2}: give a larger page or smaller marks.</source>
-        <translation type="unfinished"></translation>
+        <translation>Marken mit size_mm {0} und inset_mm {1} passen nicht auf page_mm {2}: geben Sie eine größere Seite oder kleinere Marken.</translation>
     </message>
     <message>
         <source>marks of style {0} have no "{1}": only {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Marken der Art {0} haben kein "{1}": nur {2}.</translation>
     </message>
     <message>
         <source>marks of style {0} lack {1}: add it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Marken der Art {0} fehlt {1}: fügen Sie es hinzu.</translation>
     </message>
     <message>
         <source>mass</source>
@@ -7904,7 +7904,7 @@
     </message>
     <message>
         <source>moved at {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>bewegt mit {0}</translation>
     </message>
     <message>
         <source>name a property of the balloon</source>
@@ -7944,7 +7944,7 @@
     </message>
     <message>
         <source>nobody knows the start value "{0}": it may be one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>den Startwert "{0}" kennt niemand: er kann einer von {1} sein.</translation>
     </message>
     <message>
         <source>not converged: </source>
@@ -7956,7 +7956,7 @@
     </message>
     <message>
         <source>nothing is left that is large enough to be used again</source>
-        <translation type="unfinished"></translation>
+        <translation>nichts ist übrig, was groß genug ist, um wieder gebraucht zu werden</translation>
     </message>
     <message>
         <source>number for full power</source>
@@ -7964,11 +7964,11 @@
     </message>
     <message>
         <source>on a remnant of</source>
-        <translation type="unfinished"></translation>
+        <translation>auf einem Reststück von</translation>
     </message>
     <message>
         <source>only a PDF has spot colours: give "format": "pdf", or leave them out.</source>
-        <translation type="unfinished"></translation>
+        <translation>nur ein PDF hat Schmuckfarben: geben Sie "format": "pdf" oder lassen Sie sie weg.</translation>
     </message>
     <message>
         <source>opacity</source>
@@ -7980,7 +7980,7 @@
     </message>
     <message>
         <source>outward of marks is {0}: write true or false.</source>
-        <translation type="unfinished"></translation>
+        <translation>outward der Marken ist {0}: schreiben Sie true oder false.</translation>
     </message>
     <message>
         <source>over</source>
@@ -7996,7 +7996,7 @@
     </message>
     <message>
         <source>pieces {0}, {1} {2}, {3} used</source>
-        <translation type="unfinished"></translation>
+        <translation>Stücke {0}, {1} {2}, {3} genutzt</translation>
     </message>
     <message>
         <source>place "{0}" is neither {1} nor {2}.</source>
@@ -8008,7 +8008,7 @@
     </message>
     <message>
         <source>pressed for {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>gedrückt für {0}</translation>
     </message>
     <message>
         <source>pressure</source>
@@ -8024,7 +8024,7 @@
     </message>
     <message>
         <source>reading the photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>Foto lesen</translation>
     </message>
     <message>
         <source>reading the solid</source>
@@ -8032,7 +8032,7 @@
     </message>
     <message>
         <source>remnants {0}, {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Reststücke {0}, {1}</translation>
     </message>
     <message>
         <source>right</source>
@@ -8064,7 +8064,7 @@
     </message>
     <message>
         <source>speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschwindigkeit</translation>
     </message>
     <message>
         <source>speed of the spindle</source>
@@ -8076,7 +8076,7 @@
     </message>
     <message>
         <source>square_mm of marks is larger than size_mm, {0}: make it smaller.</source>
-        <translation type="unfinished"></translation>
+        <translation>square_mm der Marken ist größer als size_mm, {0}: machen Sie es kleiner.</translation>
     </message>
     <message>
         <source>stale: </source>
@@ -8088,11 +8088,11 @@
     </message>
     <message>
         <source>start_values are of films that are welded by heat: give "joining": "heat" too.</source>
-        <translation type="unfinished"></translation>
+        <translation>start_values haben Folien, die mit Hitze geschweißt werden: geben Sie auch "joining": "heat".</translation>
     </message>
     <message>
         <source>start_values are {0}: give the values with their sources, or leave them out.</source>
-        <translation type="unfinished"></translation>
+        <translation>start_values sind {0}: geben Sie die Werte mit ihren Quellen oder lassen Sie sie weg.</translation>
     </message>
     <message>
         <source>stopped; {0}.</source>
@@ -8136,7 +8136,7 @@
     </message>
     <message>
         <source>test-card.json</source>
-        <translation type="unfinished"></translation>
+        <translation>test-card.json</translation>
     </message>
     <message>
         <source>the answer is not HTTP</source>
@@ -8176,7 +8176,7 @@
     </message>
     <message>
         <source>the layer name "{0}" may have 1 to 31 of A-Z, a-z, 0-9, _, - and $ only.</source>
-        <translation type="unfinished"></translation>
+        <translation>der Name der Ebene "{0}" darf 1 bis 31 Zeichen aus A-Z, a-z, 0-9, _, - und $ haben.</translation>
     </message>
     <message>
         <source>the layer {0} lacks {1}: give speed and power together, or neither.</source>
@@ -8184,7 +8184,7 @@
     </message>
     <message>
         <source>the marks of {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Marken von {0}</translation>
     </message>
     <message>
         <source>the name "{0}" of the stock goes into file names: take letters a to z.</source>
@@ -8200,15 +8200,15 @@
     </message>
     <message>
         <source>the separating layer "{0}" is none of {1}: take one.</source>
-        <translation type="unfinished"></translation>
+        <translation>die Trennschicht "{0}" ist keine von {1}: nehmen Sie eine.</translation>
     </message>
     <message>
         <source>the spot colour "{0}" may have letters, digits, _ and - only.</source>
-        <translation type="unfinished"></translation>
+        <translation>die Schmuckfarbe "{0}" darf nur Buchstaben, Ziffern, _ und - haben.</translation>
     </message>
     <message>
         <source>the style of marks</source>
-        <translation type="unfinished"></translation>
+        <translation>die Art der Marken</translation>
     </message>
     <message>
         <source>the tool "{0}" is none of {1}.</source>
@@ -8232,7 +8232,7 @@
     </message>
     <message>
         <source>there is no unit "{0}": write "mm".</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt keine Einheit "{0}": schreiben Sie "mm".</translation>
     </message>
     <message>
         <source>thickness</source>
@@ -8248,7 +8248,7 @@
     </message>
     <message>
         <source>through a layer of {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>durch eine Schicht {0}</translation>
     </message>
     <message>
         <source>tight: {}</source>
@@ -8376,7 +8376,7 @@
     </message>
     <message>
         <source>{0} cannot be deleted: {1}. See who may write there.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} kann nicht gelöscht werden: {1}. Sehen Sie nach, wer dort schreiben darf.</translation>
     </message>
     <message>
         <source>{0} cannot be loaded ({1}).</source>
@@ -8392,7 +8392,7 @@
     </message>
     <message>
         <source>{0} cannot make crosses in the film to lay it on anew (layer REGISTRATION): choose another machine, or make the balloon smaller.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} kann keine Kreuze in die Folie machen, um sie neu aufzulegen (Ebene REGISTRATION): wählen Sie eine andere Maschine oder machen Sie den Ballon kleiner.</translation>
     </message>
     <message>
         <source>{0} cannot work: {1}</source>
@@ -8428,7 +8428,7 @@
     </message>
     <message>
         <source>{0} goes up to {1}, and {2} bears {3}: give less.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} geht bis {1}, und {2} verträgt {3}: geben Sie weniger.</translation>
     </message>
     <message>
         <source>{0} has a point that is no number or farther away than {1}. Check its coordinates and the unit.</source>
@@ -8684,7 +8684,7 @@
     </message>
     <message>
         <source>{0} is {1}: give a number, or [least, most].</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ist {1}: geben Sie eine Zahl oder [kleinste, größte].</translation>
     </message>
     <message>
         <source>{0} is {1}: give a number.</source>
@@ -8692,11 +8692,11 @@
     </message>
     <message>
         <source>{0} is {1}: give numbers from {2} to {3}, the smaller one first.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ist {1}: geben Sie Zahlen von {2} bis {3}, die kleinere zuerst.</translation>
     </message>
     <message>
         <source>{0} is {1}: write it as {"value": ..., "source": "who says so"}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ist {1}: schreiben Sie es als {"value": ..., "source": "wer es sagt"}.</translation>
     </message>
     <message>
         <source>{0} is {1}: write true or false.</source>
@@ -8704,7 +8704,7 @@
     </message>
     <message>
         <source>{0} lacks its source: write who states it. What nobody states is left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} fehlt die Quelle: schreiben Sie, wer es angibt. Was niemand angibt, wird weggelassen.</translation>
     </message>
     <message>
         <source>{0} left out ({1}).</source>
@@ -8760,11 +8760,11 @@
     </message>
     <message>
         <source>{0} of marks is {1}: give [width, height], or leave it out.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} der Marken ist {1}: geben Sie [Breite, Höhe] oder lassen Sie es weg.</translation>
     </message>
     <message>
         <source>{0} of marks is {1}: give a number from {2} to {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} der Marken ist {1}: geben Sie eine Zahl von {2} bis {3}.</translation>
     </message>
     <message>
         <source>{0} of {1} cannot be {2}: take another value.</source>
@@ -8872,7 +8872,7 @@
     </message>
     <message>
         <source>{0} {1}, and {2} takes at most {3}: make the balloon smaller, or print and cut it on another machine.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} {1}, und {2} nimmt höchstens {3}: machen Sie den Ballon kleiner oder drucken und schneiden Sie ihn auf einer anderen Maschine.</translation>
     </message>
     <message>
         <source>{0}, inflated: {1}</source>
@@ -8880,15 +8880,15 @@
     </message>
     <message>
         <source>{0}: '{1}' is no number, write one such as 20.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: '{1}' ist keine Zahl, schreiben Sie eine wie 20.</translation>
     </message>
     <message>
         <source>{0}: it is split over several files. Cut them in their order, and lay the film on anew each time so that its crosses are where the next file has them.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: es ist auf mehrere Dateien verteilt. Schneiden Sie sie in ihrer Reihenfolge und legen Sie die Folie jedes Mal so auf, dass ihre Kreuze dort sind, wo die nächste Datei sie hat.</translation>
     </message>
     <message>
         <source>{0}: its file lacks {1}: add it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: seiner Datei fehlt {1}: fügen Sie es hinzu.</translation>
     </message>
     <message>
         <source>{0}: lay its pieces out on sheets of that size, make the balloon smaller, or write the file anyway.</source>
@@ -8908,11 +8908,11 @@
     </message>
     <message>
         <source>{0}: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: {1}</translation>
     </message>
     <message>
         <source>{0}: {1} mm is out of range, give {2} to {3} mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: {1} mm liegt außerhalb, geben Sie {2} bis {3} mm.</translation>
     </message>
     <message>
         <source>{0}; wider than the usual roll</source>
@@ -8936,7 +8936,7 @@
     </message>
     <message>
         <source>{} (unusable)</source>
-        <translation type="unfinished"></translation>
+        <translation>{} (unbrauchbar)</translation>
     </message>
     <message>
         <source>{} ({})</source>
@@ -8968,11 +8968,11 @@
     </message>
     <message>
         <source>{} is among the films</source>
-        <translation type="unfinished"></translation>
+        <translation>{} ist unter den Folien</translation>
     </message>
     <message>
         <source>{} is among the machines of Export pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>{} ist unter den Maschinen von Schnittmuster exportieren</translation>
     </message>
     <message>
         <source>{} is in the tree</source>
@@ -8988,7 +8988,7 @@
     </message>
     <message>
         <source>{} is there already: tick "Replace the files", or choose another folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>{} gibt es schon: kreuzen Sie "Dateien ersetzen" an oder wählen Sie einen anderen Ordner.</translation>
     </message>
     <message>
         <source>{} ms, {}, frame {} of {}</source>
@@ -9138,11 +9138,11 @@
     <name>BalloonWorkbench_Compare</name>
     <message>
         <source>Compare with a photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit einem Foto vergleichen</translation>
     </message>
     <message>
         <source>Lay a photograph of the finished balloon over the simulated one, and see how near it came</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Foto des fertigen Ballons über den simulierten legen und sehen, wie nahe er kam</translation>
     </message>
 </context>
 <context>
@@ -9237,11 +9237,11 @@
     <name>BalloonWorkbench_Machines</name>
     <message>
         <source>My machines</source>
-        <translation type="unfinished"></translation>
+        <translation>Meine Maschinen</translation>
     </message>
     <message>
         <source>Set up cutters, lasers, sealers and printers of your own: bed, file format, kerf, knife and tool</source>
-        <translation type="unfinished"></translation>
+        <translation>Eigene Schneider, Laser, Schweißgeräte und Drucker einrichten: Bett, Dateiformat, Schnittfuge, Messer und Werkzeug</translation>
     </message>
 </context>
 <context>
@@ -9281,11 +9281,11 @@
     <name>BalloonWorkbench_TestCard</name>
     <message>
         <source>Find feed, power, temperature or depth of a tool for a film: weld or cut a card of fields</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorschub, Leistung, Temperatur oder Tiefe eines Werkzeugs für eine Folie finden: eine Karte von Feldern schweißen oder schneiden</translation>
     </message>
     <message>
         <source>Test card</source>
-        <translation type="unfinished"></translation>
+        <translation>Testkarte</translation>
     </message>
 </context>
 <context>
