@@ -345,7 +345,7 @@
     </message>
     <message>
         <source>Lay panels first onto what is left of another layout, as its file says; the rest on the film</source>
-        <translation>Teile zuerst auf das legen, was von einem anderen Zuschnitt übrig ist, wie es in dessen Datei steht; den Rest auf die Folie</translation>
+        <translation>Bahnen zuerst auf das legen, was von einer anderen Anordnung übrig ist, wie es in deren Datei steht; den Rest auf die Folie</translation>
     </message>
     <message>
         <source>Least bending stiffness, in units of the usual least one</source>
@@ -1364,7 +1364,7 @@
     </message>
     <message>
         <source>A bar is stated to weld {0} at {1}, this tool has {2}: peel a test card before you rely on it.</source>
-        <translation>Angegeben ist, dass ein Schweißbalken {0} bei {1} schweißt, dieses Werkzeug hat {2}: schälen Sie eine Testkarte, ehe Sie sich darauf verlassen.</translation>
+        <translation>Angegeben ist, dass ein Schweißbalken {0} bei {1} schweißt, dieses Werkzeug hat {2}: ziehen Sie eine Testkarte auseinander, ehe Sie sich darauf verlassen.</translation>
     </message>
     <message>
         <source>A bed is that of a machine: give --machine too.</source>
@@ -1424,7 +1424,7 @@
     </message>
     <message>
         <source>A fitted film is kept beside the numbers of a known one: choose the balloon's film in its panel.</source>
-        <translation>Eine angepasste Folie wird neben den Zahlen einer bekannten behalten: wählen Sie die Folie des Ballons in seinem Bedienfeld.</translation>
+        <translation>Eine angepasste Folie wird neben den Zahlen einer bekannten behalten: wählen Sie die Folie des Ballons in seinem Aufgabenfenster.</translation>
     </message>
     <message>
         <source>A fitted film is written beside the numbers of a known one: give it by --material.</source>
@@ -1452,7 +1452,7 @@
     </message>
     <message>
         <source>A hot tip is stated to weld {0} at {1}, this tool has {2}: peel a test card before you rely on it.</source>
-        <translation>Angegeben ist, dass eine heiße Spitze {0} bei {1} schweißt, dieses Werkzeug hat {2}: schälen Sie eine Testkarte, ehe Sie sich darauf verlassen.</translation>
+        <translation>Angegeben ist, dass eine heiße Spitze {0} bei {1} schweißt, dieses Werkzeug hat {2}: ziehen Sie eine Testkarte auseinander, ehe Sie sich darauf verlassen.</translation>
     </message>
     <message>
         <source>A known length, in pixels of the picture</source>
@@ -1552,7 +1552,7 @@
     </message>
     <message>
         <source>A remnant is left of a layout: give --nest too, such as --nest 500mm.</source>
-        <translation>Ein Reststück bleibt von einem Zuschnitt: geben Sie auch --nest, etwa --nest 500mm.</translation>
+        <translation>Ein Reststück bleibt von einer Anordnung: geben Sie auch --nest, etwa --nest 500mm.</translation>
     </message>
     <message>
         <source>A script needs to know how many shards it has: give --shards a number.</source>
@@ -1812,7 +1812,7 @@
     </message>
     <message>
         <source>As Summa with OPOS, and the bar between the lower squares shows the cutter whether the print is bent. Feed the sheet with the bar first. The layer Regmark is not cut.</source>
-        <translation>Wie Summa mit OPOS, und der Balken zwischen den unteren Quadraten zeigt dem Schneider, ob der Druck verzogen ist. Legen Sie den Bogen mit dem Balken voran ein. Die Ebene Regmark wird nicht geschnitten.</translation>
+        <translation>Wie Summa mit OPOS, und der Balken zwischen den unteren Quadraten zeigt der Schneidemaschine, ob der Druck verzogen ist. Legen Sie den Bogen mit dem Balken voran ein. Die Ebene Regmark wird nicht geschnitten.</translation>
     </message>
     <message>
         <source>As made</source>
@@ -2360,7 +2360,7 @@
     </message>
     <message>
         <source>Dwell</source>
-        <translation>Verweilzeit</translation>
+        <translation>Wartezeit</translation>
     </message>
     <message>
         <source>E across the grain</source>
@@ -2448,7 +2448,7 @@
     </message>
     <message>
         <source>Export pattern begins with this machine; it is a preference</source>
-        <translation>Schnittmuster exportieren beginnt mit dieser Maschine; das ist eine Einstellung</translation>
+        <translation>Schnittmuster ausgeben beginnt mit dieser Maschine; das ist eine Einstellung</translation>
     </message>
     <message>
         <source>Expression</source>
@@ -2532,7 +2532,7 @@
     </message>
     <message>
         <source>Fill through a straw in the neck, to at most {column} of water.</source>
-        <translation>Durch einen Halm im Hals füllen, bis höchstens {column} Wassersäule.</translation>
+        <translation>Durch einen Strohhalm im Hals füllen, bis höchstens {column} Wassersäule.</translation>
     </message>
     <message>
         <source>Fill through a tube of 6 mm, its end cut aslant, pushed 25 mm past the seal across the neck, to at most {column} of water. Pull it out: the strips close by themselves.</source>
@@ -2612,7 +2612,7 @@
     </message>
     <message>
         <source>Find how much the film stretched, and how far the weld draws the seam inward</source>
-        <translation>Finden, wie weit sich die Folie gedehnt hat und wie weit die Schweißnaht den Saum nach innen zieht</translation>
+        <translation>Finden, wie weit sich die Folie gedehnt hat und wie weit die Schweißnaht die Nahtlinie nach innen zieht</translation>
     </message>
     <message>
         <source>Find its place</source>
@@ -2940,7 +2940,7 @@
     </message>
     <message>
         <source>How far weld and film reach beyond the seam in the photograph; empty: as in the pattern, 0: folded back</source>
-        <translation>Wie weit Schweißnaht und Folie im Foto über den Saum hinausreichen; leer: wie im Schnittmuster, 0: zurückgeklappt</translation>
+        <translation>Wie weit Schweißnaht und Folie im Foto über die Nahtlinie hinausreichen; leer: wie im Schnittmuster, 0: zurückgeklappt</translation>
     </message>
     <message>
         <source>How fast it goes along a line; empty: not known yet</source>
@@ -3036,7 +3036,7 @@
     </message>
     <message>
         <source>It came with the workbench: copy it to set it up as your own.</source>
-        <translation>Sie kam mit der Workbench: kopieren Sie sie, um sie als Ihre eigene einzurichten.</translation>
+        <translation>Sie kam mit dem Arbeitsbereich: kopieren Sie sie, um sie als Ihre eigene einzurichten.</translation>
     </message>
     <message>
         <source>It holds {} of the air that a round balloon of as much film would.</source>
@@ -3136,7 +3136,7 @@
     </message>
     <message>
         <source>Kept, and offered by Export pattern: {}</source>
-        <translation>Behalten, und von Schnittmuster exportieren angeboten: {}</translation>
+        <translation>Behalten, und von Schnittmuster ausgeben angeboten: {}</translation>
     </message>
     <message>
         <source>Kerf</source>
@@ -3684,7 +3684,7 @@
     </message>
     <message>
         <source>Nobody states a temperature for this film. Make a test card: weld strips with several temperatures and times, peel them, keep the best.</source>
-        <translation>Für diese Folie gibt niemand eine Temperatur an. Machen Sie eine Testkarte: Streifen mit mehreren Temperaturen und Zeiten schweißen, schälen, die besten behalten.</translation>
+        <translation>Für diese Folie gibt niemand eine Temperatur an. Machen Sie eine Testkarte: Streifen mit mehreren Temperaturen und Zeiten schweißen, auseinanderziehen, die besten behalten.</translation>
     </message>
     <message>
         <source>None</source>
@@ -3872,7 +3872,7 @@
     </message>
     <message>
         <source>Only balloons of two equal panels are compared with a photograph: compare the panels of others one by one, with the command compare and its --flat.</source>
-        <translation>Nur Ballons aus zwei gleichen Teilen werden mit einem Foto verglichen: vergleichen Sie die Teile anderer einzeln, mit dem Befehl compare und seinem --flat.</translation>
+        <translation>Nur Ballons aus zwei gleichen Bahnen werden mit einem Foto verglichen: vergleichen Sie die Bahnen anderer einzeln, mit dem Befehl compare und seinem --flat.</translation>
     </message>
     <message>
         <source>Only grades of this film with a sealing layer weld: try scraps before you cut.</source>
@@ -4344,7 +4344,7 @@
     </message>
     <message>
         <source>Pull the straw out and seal straight across the neck, beside the balloon.</source>
-        <translation>Den Halm herausziehen und gerade quer über den Hals schweißen, neben dem Ballon.</translation>
+        <translation>Den Strohhalm herausziehen und gerade quer über den Hals schweißen, neben dem Ballon.</translation>
     </message>
     <message>
         <source>Push a straw in, fill, pull it out and close the neck like the seam, straight across beside the balloon.</source>
@@ -4428,7 +4428,7 @@
     </message>
     <message>
         <source>Replace the files</source>
-        <translation>Dateien ersetzen</translation>
+        <translation>Die Dateien ersetzen</translation>
     </message>
     <message>
         <source>Result</source>
@@ -4464,7 +4464,7 @@
     </message>
     <message>
         <source>Roland with crop marks (vinyl cutter)</source>
-        <translation>Roland mit Schneidmarken (Folienschneider)</translation>
+        <translation>Roland mit Schnittmarken (Folienschneider)</translation>
     </message>
     <message>
         <source>Round pieces up to</source>
@@ -4592,7 +4592,7 @@
     </message>
     <message>
         <source>Seal across the neck along its line, through panels and strips. The field keeps the channel open.</source>
-        <translation>Quer über den Hals entlang seiner Linie schweißen, durch Teile und Streifen. Das Feld hält den Kanal offen.</translation>
+        <translation>Quer über den Hals entlang seiner Linie schweißen, durch Bahnen und Streifen. Das Feld hält den Kanal offen.</translation>
     </message>
     <message>
         <source>Seal the lines inside.</source>
@@ -5448,11 +5448,11 @@
     </message>
     <message>
         <source>The cutter finds the four discs round a print itself. VersaWorks prints discs of its own: give it the PDF for print and cut instead. The layer REGISTRATION is not cut.</source>
-        <translation>Der Schneider findet die vier Scheiben um einen Druck selbst. VersaWorks druckt eigene Scheiben: geben Sie ihm stattdessen das PDF zum Drucken und Schneiden. Die Ebene REGISTRATION wird nicht geschnitten.</translation>
+        <translation>Die Schneidemaschine findet die vier Scheiben um einen Druck selbst. VersaWorks druckt eigene Scheiben: geben Sie ihm stattdessen das PDF zum Drucken und Schneiden. Die Ebene REGISTRATION wird nicht geschnitten.</translation>
     </message>
     <message>
         <source>The cutter finds the squares at both sides of a print itself, on the layer Regmark, which is not cut. Set their size of 3 mm and their distances there, where its program does not read them. Feed the sheet with its lower edge first.</source>
-        <translation>Der Schneider findet die Quadrate an beiden Seiten eines Drucks selbst, auf der Ebene Regmark, die nicht geschnitten wird. Stellen Sie dort ihre Größe von 3 mm und ihre Abstände ein, wo sein Programm sie nicht liest. Legen Sie den Bogen mit der Unterkante voran ein.</translation>
+        <translation>Die Schneidemaschine findet die Quadrate an beiden Seiten eines Drucks selbst, auf der Ebene Regmark, die nicht geschnitten wird. Stellen Sie dort ihre Größe von 3 mm und ihre Abstände ein, wo ihr Programm sie nicht liest. Legen Sie den Bogen mit der Unterkante voran ein.</translation>
     </message>
     <message>
         <source>The drawing cannot be reached everywhere: the silhouette is up to {} off it.</source>
@@ -5580,7 +5580,7 @@
     </message>
     <message>
         <source>The file of what is left of another layout: pieces are laid inside it first</source>
-        <translation>Die Datei dessen, was von einem anderen Zuschnitt übrig ist: Stücke werden zuerst hineingelegt</translation>
+        <translation>Die Datei dessen, was von einer anderen Anordnung übrig ist: Stücke werden zuerst hineingelegt</translation>
     </message>
     <message>
         <source>The file test-card.json that was written with the card</source>
@@ -6840,7 +6840,7 @@
     </message>
     <message>
         <source>To let the gas out, push a straw in through the neck until it hisses, and press gently. Keep the balloon flat, not folded: it can be filled again.</source>
-        <translation>Um das Gas abzulassen, einen Halm durch den Hals hineinschieben, bis es zischt, und sanft drücken. Den Ballon flach aufheben, nicht gefaltet: er kann wieder gefüllt werden.</translation>
+        <translation>Um das Gas abzulassen, einen Strohhalm durch den Hals hineinschieben, bis es zischt, und sanft drücken. Den Ballon flach aufheben, nicht gefaltet: er kann wieder gefüllt werden.</translation>
     </message>
     <message>
         <source>To this value, with its unit</source>
@@ -7124,7 +7124,7 @@
     </message>
     <message>
         <source>What is cut is a line in the spot colour CutContour, which prints over the picture and leaves no gap in it. With artwork both are in artwork-print-and-cut-pdf.pdf. The shop's program adds marks of its own.</source>
-        <translation>Was geschnitten wird, ist eine Linie in der Schmuckfarbe CutContour, die über das Bild druckt und keine Lücke darin lässt. Mit Druckbild ist beides in artwork-print-and-cut-pdf.pdf. Das Programm der Druckerei fügt eigene Marken hinzu.</translation>
+        <translation>Was geschnitten wird, ist eine Linie in der Schmuckfarbe CutContour, die über das Bild druckt und keine Lücke darin lässt. Mit Bildvorlage ist beides in artwork-print-and-cut-pdf.pdf. Das Programm der Druckerei fügt eigene Marken hinzu.</translation>
     </message>
     <message>
         <source>What it can work on, such as 600 x 400 mm, or 600 mm for a roll; empty where there is no limit</source>
@@ -7216,7 +7216,7 @@
     </message>
     <message>
         <source>Width of film that the beam or cutter takes away: cuts are moved outward by half of it</source>
-        <translation>Breite der Folie, die Strahl oder Schneider wegnimmt: Schnitte werden um die Hälfte nach außen verschoben</translation>
+        <translation>Breite an Folie, die Strahl oder Messer wegnimmt: Schnitte werden um die Hälfte nach außen verschoben</translation>
     </message>
     <message>
         <source>Width of the balloon when it is inflated</source>
@@ -7532,7 +7532,7 @@
     </message>
     <message>
         <source>bar or iron {0}</source>
-        <translation>Balken oder Bügeleisen {0}</translation>
+        <translation>Schweißbalken oder Bügeleisen {0}</translation>
     </message>
     <message>
         <source>bed_mm is {0}: give [width, height], [width, null] for a roll, or null where there is no limit.</source>
@@ -8888,7 +8888,7 @@
     </message>
     <message>
         <source>{0}: its file lacks {1}: add it.</source>
-        <translation>{0}: seiner Datei fehlt {1}: fügen Sie es hinzu.</translation>
+        <translation>{0}: der Datei fehlt {1}: fügen Sie es hinzu.</translation>
     </message>
     <message>
         <source>{0}: lay its pieces out on sheets of that size, make the balloon smaller, or write the file anyway.</source>
@@ -8972,7 +8972,7 @@
     </message>
     <message>
         <source>{} is among the machines of Export pattern</source>
-        <translation>{} ist unter den Maschinen von Schnittmuster exportieren</translation>
+        <translation>{} ist unter den Maschinen von Schnittmuster ausgeben</translation>
     </message>
     <message>
         <source>{} is in the tree</source>
@@ -8988,7 +8988,7 @@
     </message>
     <message>
         <source>{} is there already: tick "Replace the files", or choose another folder.</source>
-        <translation>{} gibt es schon: kreuzen Sie "Dateien ersetzen" an oder wählen Sie einen anderen Ordner.</translation>
+        <translation>{} gibt es schon: kreuzen Sie "Die Dateien ersetzen" an oder wählen Sie einen anderen Ordner.</translation>
     </message>
     <message>
         <source>{} ms, {}, frame {} of {}</source>
@@ -9241,7 +9241,7 @@
     </message>
     <message>
         <source>Set up cutters, lasers, sealers and printers of your own: bed, file format, kerf, knife and tool</source>
-        <translation>Eigene Schneider, Laser, Schweißgeräte und Drucker einrichten: Bett, Dateiformat, Schnittfuge, Messer und Werkzeug</translation>
+        <translation>Eigene Schneidemaschinen, Laser, Heißsiegler und Drucker einrichten: Bett, Dateiformat, Schnittfuge, Messer und Werkzeug</translation>
     </message>
 </context>
 <context>
