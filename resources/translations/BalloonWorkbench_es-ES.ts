@@ -345,7 +345,7 @@
     </message>
     <message>
         <source>Lay panels first onto what is left of another layout, as its file says; the rest on the film</source>
-        <translation type="unfinished"></translation>
+        <translation>Colocar los paneles primero en lo que queda de otra colocación, según dice su archivo; el resto en la película</translation>
     </message>
     <message>
         <source>Least bending stiffness, in units of the usual least one</source>
@@ -501,7 +501,7 @@
     </message>
     <message>
         <source>On which remnant each sheet is, -1 for none</source>
-        <translation type="unfinished"></translation>
+        <translation>En qué retal está cada lámina, -1 si en ninguno</translation>
     </message>
     <message>
         <source>Only one side of this film can be joined so</source>
@@ -709,7 +709,7 @@
     </message>
     <message>
         <source>The machine that finds the print again by its registration marks; empty has crosses for the eye</source>
-        <translation type="unfinished"></translation>
+        <translation>La máquina que vuelve a encontrar la impresión por sus marcas de registro; vacío: cruces a ojo</translation>
     </message>
     <message>
         <source>The outline whose drawing this one shares; empty: its own</source>
@@ -1092,7 +1092,7 @@
     </message>
     <message>
         <source>'{0}' cannot be the name of a machine: take up to 40 letters, digits, spaces and - only.</source>
-        <translation type="unfinished"></translation>
+        <translation>'{0}' no puede ser el nombre de una máquina: use hasta 40 letras, cifras, espacios y - solamente.</translation>
     </message>
     <message>
         <source>'{0}' has a column twice.</source>
@@ -1324,7 +1324,7 @@
     </message>
     <message>
         <source>--oversize scale makes the balloon smaller until it fits, --oversize split writes several files between which the film is moved, --oversize write writes the file anyway, --bed tells how large the bed is.</source>
-        <translation type="unfinished"></translation>
+        <translation>--oversize scale reduce el globo hasta que quepa, --oversize split escribe varios archivos entre los que se mueve la película, --oversize write escribe el archivo de todos modos, --bed dice el tamaño de la cama.</translation>
     </message>
     <message>
         <source>--rim is the width of the weld and of the film beside it: give 0 to 1 m.</source>
@@ -1332,7 +1332,7 @@
     </message>
     <message>
         <source>--tabs-below is about tabs: give their width too, such as --tabs 0.4mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>--tabs-below se refiere a los puentes: indique también su anchura, por ejemplo --tabs 0.4mm.</translation>
     </message>
     <message>
         <source>--target-volume and --target-lift decide the size: leave out --width and --height.</source>
@@ -1352,7 +1352,7 @@
     </message>
     <message>
         <source>A GIF needs Pillow: install it with pip install pillow.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un GIF necesita Pillow: instálelo con pip install pillow.</translation>
     </message>
     <message>
         <source>A balloon has no "{0}": it has {1}.</source>
@@ -1364,7 +1364,7 @@
     </message>
     <message>
         <source>A bar is stated to weld {0} at {1}, this tool has {2}: peel a test card before you rely on it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se indica que una barra suelda {0} a {1}, esta herramienta tiene {2}: pele una tarjeta de prueba antes de confiar en ello.</translation>
     </message>
     <message>
         <source>A bed is that of a machine: give --machine too.</source>
@@ -1376,7 +1376,7 @@
     </message>
     <message>
         <source>A bed of {0} is too small to lay so much film on anew: give a larger one, or make the balloon smaller.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una cama de {0} es demasiado pequeña para recolocar tanta película: indique una mayor o reduzca el globo.</translation>
     </message>
     <message>
         <source>A body cannot be made of {0} gores. Take {1} to {2}.</source>
@@ -1416,15 +1416,15 @@
     </message>
     <message>
         <source>A film of this name is there already</source>
-        <translation type="unfinished"></translation>
+        <translation>Ya existe una película con este nombre</translation>
     </message>
     <message>
         <source>A film of your own beside the balloon's, with what was found; it changes no pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>Una película propia junto a la del globo, con lo que se halló; no cambia ningún patrón</translation>
     </message>
     <message>
         <source>A fitted film is kept beside the numbers of a known one: choose the balloon's film in its panel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una película ajustada se guarda junto a los números de una conocida: elija la película del globo en su panel.</translation>
     </message>
     <message>
         <source>A fitted film is written beside the numbers of a known one: give it by --material.</source>
@@ -1452,11 +1452,11 @@
     </message>
     <message>
         <source>A hot tip is stated to weld {0} at {1}, this tool has {2}: peel a test card before you rely on it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se indica que una punta caliente suelda {0} a {1}, esta herramienta tiene {2}: pele una tarjeta de prueba antes de confiar en ello.</translation>
     </message>
     <message>
         <source>A known length, in pixels of the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Una longitud conocida, en píxeles de la imagen</translation>
     </message>
     <message>
         <source>A label has up to {0} letters, between 0.1 mm and 10 m high: change it.</source>
@@ -1540,7 +1540,7 @@
     </message>
     <message>
         <source>A print is not cut in parts: choose a machine with a larger bed than {0}, or make the balloon smaller.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una impresión no se corta por partes: elija una máquina con una cama mayor que {0} o reduzca el globo.</translation>
     </message>
     <message>
         <source>A process beside this one does not start: {0}</source>
@@ -1552,7 +1552,7 @@
     </message>
     <message>
         <source>A remnant is left of a layout: give --nest too, such as --nest 500mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un retal queda de una colocación: indique también --nest, por ejemplo --nest 500mm.</translation>
     </message>
     <message>
         <source>A script needs to know how many shards it has: give --shards a number.</source>
@@ -1580,7 +1580,7 @@
     </message>
     <message>
         <source>A separating layer of PTFE gives off poisonous fumes above {0}, and baking paper chars above {1}: weld slower at a lower temperature, and air the room.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una capa separadora de PTFE desprende humos tóxicos por encima de {0}, y el papel de hornear se quema por encima de {1}: suelde más despacio a menor temperatura y ventile el local.</translation>
     </message>
     <message>
         <source>A setting is tried with up to twelve values, each once.</source>
@@ -1616,7 +1616,7 @@
     </message>
     <message>
         <source>A tab must be {0} to {1} wide, not {2}; 0 makes none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un puente debe tener de {0} a {1} de ancho, no {2}; 0 no hace ninguno.</translation>
     </message>
     <message>
         <source>A test card is for a machine, in a folder: give --machine and --out.</source>
@@ -1628,7 +1628,7 @@
     </message>
     <message>
         <source>A tool has no "{0}": choose one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una herramienta no tiene "{0}": elija uno de {1}.</translation>
     </message>
     <message>
         <source>A tool is that of a machine that reads G-code: give --machine gcode-grbl or another.</source>
@@ -1788,7 +1788,7 @@
     </message>
     <message>
         <source>Any size</source>
-        <translation type="unfinished"></translation>
+        <translation>Cualquier tamaño</translation>
     </message>
     <message>
         <source>Apply</source>
@@ -1812,11 +1812,11 @@
     </message>
     <message>
         <source>As Summa with OPOS, and the bar between the lower squares shows the cutter whether the print is bent. Feed the sheet with the bar first. The layer Regmark is not cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>Como Summa con OPOS, y la barra entre los cuadrados de abajo muestra a la cortadora si la impresión está curvada. Meta la lámina con la barra por delante. La capa Regmark no se corta.</translation>
     </message>
     <message>
         <source>As made</source>
-        <translation type="unfinished"></translation>
+        <translation>Como quedó</translation>
     </message>
     <message>
         <source>As made over what was expected</source>
@@ -1908,7 +1908,7 @@
     </message>
     <message>
         <source>Bar of 100 mm to measure</source>
-        <translation type="unfinished"></translation>
+        <translation>Barra de 100 mm para medir</translation>
     </message>
     <message>
         <source>Bed</source>
@@ -1924,11 +1924,11 @@
     </message>
     <message>
         <source>Beside the pattern, to see whether the size was kept</source>
-        <translation type="unfinished"></translation>
+        <translation>Junto al patrón, para ver si se ha conservado el tamaño</translation>
     </message>
     <message>
         <source>Best field</source>
-        <translation type="unfinished"></translation>
+        <translation>Mejor campo</translation>
     </message>
     <message>
         <source>Best of {0} balloons: {1}, with {2}.</source>
@@ -2008,7 +2008,7 @@
     </message>
     <message>
         <source>Card</source>
-        <translation type="unfinished"></translation>
+        <translation>Tarjeta</translation>
     </message>
     <message>
         <source>Charts</source>
@@ -2056,7 +2056,7 @@
     </message>
     <message>
         <source>Choose a photograph first: a PNG, JPEG or BMP file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Elija antes una fotografía: un archivo PNG, JPEG o BMP.</translation>
     </message>
     <message>
         <source>Choose a picture</source>
@@ -2068,7 +2068,7 @@
     </message>
     <message>
         <source>Choose a remnant</source>
-        <translation type="unfinished"></translation>
+        <translation>Elegir un retal</translation>
     </message>
     <message>
         <source>Choose a row first.</source>
@@ -2084,7 +2084,7 @@
     </message>
     <message>
         <source>Choose a test card</source>
-        <translation type="unfinished"></translation>
+        <translation>Elegir una tarjeta de prueba</translation>
     </message>
     <message>
         <source>Choose sketches, a file or a ready body.</source>
@@ -2116,15 +2116,15 @@
     </message>
     <message>
         <source>Click both ends of a length that you know; a third click moves the nearer mark.</source>
-        <translation type="unfinished"></translation>
+        <translation>Haga clic en ambos extremos de una longitud que conozca; un tercer clic mueve la marca más cercana.</translation>
     </message>
     <message>
         <source>Click both ends of a ruler in the picture, or of another known length</source>
-        <translation type="unfinished"></translation>
+        <translation>Haga clic en ambos extremos de una regla de la imagen, o de otra longitud conocida</translation>
     </message>
     <message>
         <source>Click to see it larger</source>
-        <translation type="unfinished"></translation>
+        <translation>Haga clic para verla más grande</translation>
     </message>
     <message>
         <source>Click two places: a seam runs between them</source>
@@ -2140,7 +2140,7 @@
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>Cerrar</translation>
     </message>
     <message>
         <source>Close the open task panel first.</source>
@@ -2156,19 +2156,19 @@
     </message>
     <message>
         <source>Compare</source>
-        <translation type="unfinished"></translation>
+        <translation>Comparar</translation>
     </message>
     <message>
         <source>Compare with a photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>Comparar con una fotografía</translation>
     </message>
     <message>
         <source>Comparing with the photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>Comparando con la fotografía</translation>
     </message>
     <message>
         <source>Comparing…</source>
-        <translation type="unfinished"></translation>
+        <translation>Comparando…</translation>
     </message>
     <message>
         <source>Coordinates really are inches, and the header says so.</source>
@@ -2180,7 +2180,7 @@
     </message>
     <message>
         <source>Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiar</translation>
     </message>
     <message>
         <source>Corner relief</source>
@@ -2192,7 +2192,7 @@
     </message>
     <message>
         <source>Crosses, by eye</source>
-        <translation type="unfinished"></translation>
+        <translation>Cruces, a ojo</translation>
     </message>
     <message>
         <source>Crumpled</source>
@@ -2236,7 +2236,7 @@
     </message>
     <message>
         <source>Cuts without room for two tabs of {0} on a straight: {1}, the first near {2}. What they go round comes free.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cortes sin sitio para dos puentes de {0} en un tramo recto: {1}, el primero cerca de {2}. Lo que rodean queda suelto.</translation>
     </message>
     <message>
         <source>Cutting shop (DXF R12)</source>
@@ -2256,19 +2256,19 @@
     </message>
     <message>
         <source>Delete</source>
-        <translation type="unfinished"></translation>
+        <translation>Eliminar</translation>
     </message>
     <message>
         <source>Delete it</source>
-        <translation type="unfinished"></translation>
+        <translation>Eliminarla</translation>
     </message>
     <message>
         <source>Delete {}? Its file goes for good.</source>
-        <translation type="unfinished"></translation>
+        <translation>¿Eliminar {}? Su archivo se borra para siempre.</translation>
     </message>
     <message>
         <source>Depth</source>
-        <translation type="unfinished"></translation>
+        <translation>Profundidad</translation>
     </message>
     <message>
         <source>Diameter {}, height {}, gores {} long</source>
@@ -2296,7 +2296,7 @@
     </message>
     <message>
         <source>Done</source>
-        <translation type="unfinished"></translation>
+        <translation>Hecho</translation>
     </message>
     <message>
         <source>Dots per inch</source>
@@ -2360,7 +2360,7 @@
     </message>
     <message>
         <source>Dwell</source>
-        <translation type="unfinished"></translation>
+        <translation>Espera</translation>
     </message>
     <message>
         <source>E across the grain</source>
@@ -2440,7 +2440,7 @@
     </message>
     <message>
         <source>Export begins with it</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportar empieza con ella</translation>
     </message>
     <message>
         <source>Export pattern</source>
@@ -2448,7 +2448,7 @@
     </message>
     <message>
         <source>Export pattern begins with this machine; it is a preference</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportar patrón empieza con esta máquina; es una preferencia</translation>
     </message>
     <message>
         <source>Expression</source>
@@ -2472,11 +2472,11 @@
     </message>
     <message>
         <source>Feed</source>
-        <translation type="unfinished"></translation>
+        <translation>Avance</translation>
     </message>
     <message>
         <source>Feed in corners</source>
-        <translation type="unfinished"></translation>
+        <translation>Avance en las esquinas</translation>
     </message>
     <message>
         <source>Fetch</source>
@@ -2508,7 +2508,7 @@
     </message>
     <message>
         <source>Fields: {}, on {} of film</source>
-        <translation type="unfinished"></translation>
+        <translation>Campos: {}, en {} de película</translation>
     </message>
     <message>
         <source>File</source>
@@ -2528,15 +2528,15 @@
     </message>
     <message>
         <source>Fill at the nozzle, to at most {column} of water.</source>
-        <translation type="unfinished"></translation>
+        <translation>Llene por la boquilla, hasta {column} de agua como mucho.</translation>
     </message>
     <message>
         <source>Fill through a straw in the neck, to at most {column} of water.</source>
-        <translation type="unfinished"></translation>
+        <translation>Llene con una pajita por el cuello, hasta {column} de agua como mucho.</translation>
     </message>
     <message>
         <source>Fill through a tube of 6 mm, its end cut aslant, pushed 25 mm past the seal across the neck, to at most {column} of water. Pull it out: the strips close by themselves.</source>
-        <translation type="unfinished"></translation>
+        <translation>Llene por un tubo de 6 mm con el extremo cortado al sesgo, metido 25 mm más allá de la soldadura a través del cuello, hasta {column} de agua como mucho. Sáquelo: las tiras se cierran solas.</translation>
     </message>
     <message>
         <source>Fill through a tube of 6 mm, its end cut aslant, pushed 25 mm past the weld across the neck. Pull it out: the pressure presses the strips together.</source>
@@ -2612,7 +2612,7 @@
     </message>
     <message>
         <source>Find how much the film stretched, and how far the weld draws the seam inward</source>
-        <translation type="unfinished"></translation>
+        <translation>Hallar cuánto se estiró la película y cuánto lleva la soldadura la costura hacia dentro</translation>
     </message>
     <message>
         <source>Find its place</source>
@@ -2620,7 +2620,7 @@
     </message>
     <message>
         <source>Fit the film, too</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajustar también la película</translation>
     </message>
     <message>
         <source>Fit to drawing</source>
@@ -2652,11 +2652,11 @@
     </message>
     <message>
         <source>For Send to Silhouette of inkscape-silhouette. The marks of a print lie on the layer Regmarks, which is not cut, 10 mm from the edges of A4 and 190 and 277 mm apart: give that there. Nothing is cut outside them. For other paper change page_mm in a copy.</source>
-        <translation type="unfinished"></translation>
+        <translation>Para «Send to Silhouette» de inkscape-silhouette. Las marcas de una impresión están en la capa Regmarks, que no se corta, a 10 mm de los bordes de A4 y separadas 190 y 277 mm: indíquelo allí. Fuera de ellas no se corta nada. Para otro papel cambie page_mm en una copia.</translation>
     </message>
     <message>
         <source>For {0} of {1} pieces there is no room on the remnant: give film for the rest too.</source>
-        <translation type="unfinished"></translation>
+        <translation>Para {0} de {1} piezas no hay sitio en el retal: indique también película para el resto.</translation>
     </message>
     <message>
         <source>For {0} the drawing would be {1} large: choose a volume that makes it {2} to {3}.</source>
@@ -2764,7 +2764,7 @@
     </message>
     <message>
         <source>Give one or two settings several values, such as 200, 300, 400, and each of the others one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dé a uno o dos ajustes varios valores, por ejemplo 200, 300, 400, y a cada uno de los demás uno solo.</translation>
     </message>
     <message>
         <source>Give the document the values of the chosen row</source>
@@ -2824,7 +2824,7 @@
     </message>
     <message>
         <source>Graphtec with ARMS (vinyl cutter)</source>
-        <translation type="unfinished"></translation>
+        <translation>Graphtec con ARMS (cortador de vinilo)</translation>
     </message>
     <message>
         <source>Green</source>
@@ -2860,7 +2860,7 @@
     </message>
     <message>
         <source>Height between two lines; empty: 5 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Altura entre dos líneas; vacío: 5 mm</translation>
     </message>
     <message>
         <source>Helium</source>
@@ -2892,11 +2892,11 @@
     </message>
     <message>
         <source>Hot tip</source>
-        <translation type="unfinished"></translation>
+        <translation>Punta caliente</translation>
     </message>
     <message>
         <source>Hot wheel</source>
-        <translation type="unfinished"></translation>
+        <translation>Rueda caliente</translation>
     </message>
     <message>
         <source>Hours of welding, where they are known</source>
@@ -2908,15 +2908,15 @@
     </message>
     <message>
         <source>How far a closed cut runs past its start; empty: six times the knife's offset</source>
-        <translation type="unfinished"></translation>
+        <translation>Cuánto sigue un corte cerrado más allá de su inicio; vacío: seis veces el desvío de la cuchilla</translation>
     </message>
     <message>
         <source>How far a closed weld runs past its start, so that the joint is tight</source>
-        <translation type="unfinished"></translation>
+        <translation>Cuánto sigue una soldadura cerrada más allá de su inicio, para que la unión sea estanca</translation>
     </message>
     <message>
         <source>How far a swivel knife or wheel lies behind its axis; 0 where the machine makes up for it</source>
-        <translation type="unfinished"></translation>
+        <translation>Cuánto queda una cuchilla o rueda giratoria por detrás de su eje; 0 si la máquina ya lo compensa</translation>
     </message>
     <message>
         <source>How far along it</source>
@@ -2928,7 +2928,7 @@
     </message>
     <message>
         <source>How far below the place where it touches the film it works: it presses so hard, or cuts so deep; of a laser its focus. Empty: not known yet</source>
-        <translation type="unfinished"></translation>
+        <translation>A qué distancia trabaja por debajo del punto donde toca la película: así de fuerte aprieta, o así de hondo corta; en un láser, su foco. Vacío: aún no se sabe</translation>
     </message>
     <message>
         <source>How far the balloon may be from the body on average, of the body's diagonal</source>
@@ -2940,19 +2940,19 @@
     </message>
     <message>
         <source>How far weld and film reach beyond the seam in the photograph; empty: as in the pattern, 0: folded back</source>
-        <translation type="unfinished"></translation>
+        <translation>Cuánto sobresalen soldadura y película de la costura en la fotografía; vacío: como en el patrón, 0: doblado hacia atrás</translation>
     </message>
     <message>
         <source>How fast it goes along a line; empty: not known yet</source>
-        <translation type="unfinished"></translation>
+        <translation>A qué velocidad va por una línea; vacío: aún no se sabe</translation>
     </message>
     <message>
         <source>How long a way from waste film to a weld may be; 0 for none</source>
-        <translation type="unfinished"></translation>
+        <translation>Qué longitud puede tener la entrada a una soldadura desde la película sobrante; 0 para ninguna</translation>
     </message>
     <message>
         <source>How long it waits before it moves along a line: film warms, a beam burns in, a spindle starts</source>
-        <translation type="unfinished"></translation>
+        <translation>Cuánto espera antes de moverse por una línea: la película se calienta, un haz perfora, un husillo arranca</translation>
     </message>
     <message>
         <source>How wide shall it be?</source>
@@ -3036,7 +3036,7 @@
     </message>
     <message>
         <source>It came with the workbench: copy it to set it up as your own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Venía con el banco de trabajo: cópiela para configurarla como propia.</translation>
     </message>
     <message>
         <source>It holds {} of the air that a round balloon of as much film would.</source>
@@ -3120,15 +3120,15 @@
     </message>
     <message>
         <source>Keep it</source>
-        <translation type="unfinished"></translation>
+        <translation>Conservarla</translation>
     </message>
     <message>
         <source>Keep the best</source>
-        <translation type="unfinished"></translation>
+        <translation>Conservar el mejor</translation>
     </message>
     <message>
         <source>Keep the film</source>
-        <translation type="unfinished"></translation>
+        <translation>Conservar la película</translation>
     </message>
     <message>
         <source>Keep the proportions</source>
@@ -3136,11 +3136,11 @@
     </message>
     <message>
         <source>Kept, and offered by Export pattern: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardada, y «Exportar patrón» la ofrece: {}</translation>
     </message>
     <message>
         <source>Kerf</source>
-        <translation type="unfinished"></translation>
+        <translation>Ancho de corte</translation>
     </message>
     <message>
         <source>Kind</source>
@@ -3148,11 +3148,11 @@
     </message>
     <message>
         <source>Knife</source>
-        <translation type="unfinished"></translation>
+        <translation>Cuchilla</translation>
     </message>
     <message>
         <source>Knife offset</source>
-        <translation type="unfinished"></translation>
+        <translation>Desvío de cuchilla</translation>
     </message>
     <message>
         <source>Kraft paper, 80 g/m²</source>
@@ -3184,7 +3184,7 @@
     </message>
     <message>
         <source>Laser</source>
-        <translation type="unfinished"></translation>
+        <translation>Láser</translation>
     </message>
     <message>
         <source>Lay a picture under the paper for tracing; press again to take it away</source>
@@ -3236,19 +3236,19 @@
     </message>
     <message>
         <source>Lead-in</source>
-        <translation type="unfinished"></translation>
+        <translation>Entrada</translation>
     </message>
     <message>
         <source>Leak test: fill with air through a tube in the neck, closed round it by hand or with tape, to at most {column} of water in a hose. Wait 15 min, brush soapy water along the seams. Mark with a pen where bubbles grow, let the air out, dry it, seal there once more, test again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prueba de fugas: llene con aire por un tubo en el cuello, cerrado a su alrededor con la mano o con cinta, hasta {column} de agua en una manguera como mucho. Espere 15 min, pase agua jabonosa por las costuras. Marque con un rotulador donde crezcan burbujas, saque el aire, séquelo, vuelva a sellar ahí, pruebe de nuevo.</translation>
     </message>
     <message>
         <source>Leak test: fill with air to at most {column} of water in a hose. Wait 15 min, brush soapy water along the seams. Mark with a pen where bubbles grow, let the air out, dry it, seal there once more, test again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prueba de fugas: llene con aire hasta {column} de agua en una manguera como mucho. Espere 15 min, pase agua jabonosa por las costuras. Marque con un rotulador donde crezcan burbujas, saque el aire, séquelo, vuelva a sellar ahí, pruebe de nuevo.</translation>
     </message>
     <message>
         <source>Leave tabs so wide in the cuts, such as 0.4 mm, on straights, two or more on each and one in 100 mm, so that pieces stay in the film. It is kept for this machine</source>
-        <translation type="unfinished"></translation>
+        <translation>Dejar en los cortes puentes de esta anchura, por ejemplo 0.4 mm, en tramos rectos, dos o más en cada uno y uno cada 100 mm, para que las piezas sigan en la película. Se guarda para esta máquina</translation>
     </message>
     <message>
         <source>Left out: {0}</source>
@@ -3284,7 +3284,7 @@
     </message>
     <message>
         <source>Letters, digits, spaces and - only</source>
-        <translation type="unfinished"></translation>
+        <translation>Solo letras, cifras, espacios y -</translation>
     </message>
     <message>
         <source>Lift</source>
@@ -3368,11 +3368,11 @@
     </message>
     <message>
         <source>Make a card</source>
-        <translation type="unfinished"></translation>
+        <translation>Hacer una tarjeta</translation>
     </message>
     <message>
         <source>Make a machine of your own with the values of this one</source>
-        <translation type="unfinished"></translation>
+        <translation>Hacer una máquina propia con los valores de esta</translation>
     </message>
     <message>
         <source>Make a sketch of the cuts</source>
@@ -3380,7 +3380,7 @@
     </message>
     <message>
         <source>Make a test card: nobody states a temperature for this film.</source>
-        <translation type="unfinished"></translation>
+        <translation>Haga una tarjeta de prueba: nadie indica una temperatura para esta película.</translation>
     </message>
     <message>
         <source>Make it!</source>
@@ -3400,15 +3400,15 @@
     </message>
     <message>
         <source>Mark a length</source>
-        <translation type="unfinished"></translation>
+        <translation>Marcar una longitud</translation>
     </message>
     <message>
         <source>Mark a length in the picture, and give its true length, such as 300 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Marque una longitud en la imagen e indique su longitud real, por ejemplo 300 mm.</translation>
     </message>
     <message>
         <source>Mark a length…</source>
-        <translation type="unfinished"></translation>
+        <translation>Marcar una longitud…</translation>
     </message>
     <message>
         <source>Marks</source>
@@ -3416,7 +3416,7 @@
     </message>
     <message>
         <source>Marks for</source>
-        <translation type="unfinished"></translation>
+        <translation>Marcas para</translation>
     </message>
     <message>
         <source>Marlin printer (G-code)</source>
@@ -3460,7 +3460,7 @@
     </message>
     <message>
         <source>Mimaki with register marks (vinyl cutter)</source>
-        <translation type="unfinished"></translation>
+        <translation>Mimaki con marcas de registro (cortador de vinilo)</translation>
     </message>
     <message>
         <source>Mind</source>
@@ -3492,19 +3492,19 @@
     </message>
     <message>
         <source>My machines</source>
-        <translation type="unfinished"></translation>
+        <translation>Mis máquinas</translation>
     </message>
     <message>
         <source>My {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Mi {}</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre</translation>
     </message>
     <message>
         <source>Name of the machine</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre de la máquina</translation>
     </message>
     <message>
         <source>Native</source>
@@ -3676,15 +3676,15 @@
     </message>
     <message>
         <source>Nobody but you knows the {0} of your {1} for this film: fill in My machines in FreeCAD, or give {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Solo usted conoce esto de su herramienta ({1}) para esta película: {0}. Rellénelo en Mis máquinas de FreeCAD, o indique {2}.</translation>
     </message>
     <message>
         <source>Nobody but you knows this: {}. Give one value, or several to try.</source>
-        <translation type="unfinished"></translation>
+        <translation>Solo usted conoce esto: {}. Indique un valor, o varios para probar.</translation>
     </message>
     <message>
         <source>Nobody states a temperature for this film. Make a test card: weld strips with several temperatures and times, peel them, keep the best.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nadie indica una temperatura para esta película. Haga una tarjeta de prueba: suelde tiras con varias temperaturas y tiempos, pélelas, quédese con la mejor.</translation>
     </message>
     <message>
         <source>None</source>
@@ -3720,7 +3720,7 @@
     </message>
     <message>
         <source>Note</source>
-        <translation type="unfinished"></translation>
+        <translation>Nota</translation>
     </message>
     <message>
         <source>Note: {0}</source>
@@ -3792,11 +3792,11 @@
     </message>
     <message>
         <source>Of the film of {0} nothing is left that is large enough to be used again.</source>
-        <translation type="unfinished"></translation>
+        <translation>De la película de {0} no queda nada bastante grande para volver a usarse.</translation>
     </message>
     <message>
         <source>Of the tip or wheel, 40 to 400 °C. Above 260 °C a layer of PTFE gives off poisonous fumes</source>
-        <translation type="unfinished"></translation>
+        <translation>De la punta o la rueda, de 40 a 400 °C. Por encima de 260 °C una capa de PTFE desprende humos tóxicos</translation>
     </message>
     <message>
         <source>Off</source>
@@ -3872,7 +3872,7 @@
     </message>
     <message>
         <source>Only balloons of two equal panels are compared with a photograph: compare the panels of others one by one, with the command compare and its --flat.</source>
-        <translation type="unfinished"></translation>
+        <translation>Solo los globos de dos paneles iguales se comparan con una fotografía: compare los paneles de otros uno por uno, con el comando compare y su --flat.</translation>
     </message>
     <message>
         <source>Only grades of this film with a sealing layer weld: try scraps before you cut.</source>
@@ -3880,7 +3880,7 @@
     </message>
     <message>
         <source>Only pieces that are no larger than this either way get tabs, such as 50 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Solo llevan puentes las piezas que no superan este tamaño en ningún sentido, por ejemplo 50 mm</translation>
     </message>
     <message>
         <source>Only the middle of the weld. A closed weld runs past its start, so that the joint is tight.</source>
@@ -3888,7 +3888,7 @@
     </message>
     <message>
         <source>Only the shape is compared, at the size that fits best</source>
-        <translation type="unfinished"></translation>
+        <translation>Solo se compara la forma, al tamaño que mejor encaja</translation>
     </message>
     <message>
         <source>Only {0} of film stay between two cuts near {1}; {2} wants {3}. It may tear or melt there.</source>
@@ -3932,7 +3932,7 @@
     </message>
     <message>
         <source>Overcut</source>
-        <translation type="unfinished"></translation>
+        <translation>Sobrecorte</translation>
     </message>
     <message>
         <source>PDF files, previews and labels need it; DXF, SVG and HPGL can be written.</source>
@@ -3940,7 +3940,7 @@
     </message>
     <message>
         <source>PNG, JPEG or BMP</source>
-        <translation type="unfinished"></translation>
+        <translation>PNG, JPEG o BMP</translation>
     </message>
     <message>
         <source>Pa, its own range</source>
@@ -4152,7 +4152,7 @@
     </message>
     <message>
         <source>Photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>Fotografía</translation>
     </message>
     <message>
         <source>Pick an edge to see its partner.</source>
@@ -4188,7 +4188,7 @@
     </message>
     <message>
         <source>Pictures of the work</source>
-        <translation type="unfinished"></translation>
+        <translation>Imágenes del trabajo</translation>
     </message>
     <message>
         <source>Pieces of the side band cannot be {0} long. Give 0 or more.</source>
@@ -4204,7 +4204,7 @@
     </message>
     <message>
         <source>Pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>Píxeles</translation>
     </message>
     <message>
         <source>Place</source>
@@ -4284,7 +4284,7 @@
     </message>
     <message>
         <source>Power</source>
-        <translation type="unfinished"></translation>
+        <translation>Potencia</translation>
     </message>
     <message>
         <source>Predicted from the outline; not inflated yet.</source>
@@ -4320,7 +4320,7 @@
     </message>
     <message>
         <source>Print shop (PDF with CutContour)</source>
-        <translation type="unfinished"></translation>
+        <translation>Imprenta (PDF con CutContour)</translation>
     </message>
     <message>
         <source>Print {0} at {1} dpi, all panels</source>
@@ -4344,7 +4344,7 @@
     </message>
     <message>
         <source>Pull the straw out and seal straight across the neck, beside the balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>Saque la pajita y selle recto a través del cuello, junto al globo.</translation>
     </message>
     <message>
         <source>Push a straw in, fill, pull it out and close the neck like the seam, straight across beside the balloon.</source>
@@ -4380,7 +4380,7 @@
     </message>
     <message>
         <source>Reads</source>
-        <translation type="unfinished"></translation>
+        <translation>Lee</translation>
     </message>
     <message>
         <source>Ready body</source>
@@ -4404,11 +4404,11 @@
     </message>
     <message>
         <source>Remnant</source>
-        <translation type="unfinished"></translation>
+        <translation>Retal</translation>
     </message>
     <message>
         <source>Remnants</source>
-        <translation type="unfinished"></translation>
+        <translation>Retales</translation>
     </message>
     <message>
         <source>Repair</source>
@@ -4420,7 +4420,7 @@
     </message>
     <message>
         <source>Replace it</source>
-        <translation type="unfinished"></translation>
+        <translation>Reemplazarla</translation>
     </message>
     <message>
         <source>Replace the file</source>
@@ -4428,7 +4428,7 @@
     </message>
     <message>
         <source>Replace the files</source>
-        <translation type="unfinished"></translation>
+        <translation>Reemplazar los archivos</translation>
     </message>
     <message>
         <source>Result</source>
@@ -4448,7 +4448,7 @@
     </message>
     <message>
         <source>Rim</source>
-        <translation type="unfinished"></translation>
+        <translation>Borde</translation>
     </message>
     <message>
         <source>Ring</source>
@@ -4464,15 +4464,15 @@
     </message>
     <message>
         <source>Roland with crop marks (vinyl cutter)</source>
-        <translation type="unfinished"></translation>
+        <translation>Roland con marcas de corte (cortador de vinilo)</translation>
     </message>
     <message>
         <source>Round pieces up to</source>
-        <translation type="unfinished"></translation>
+        <translation>En piezas de hasta</translation>
     </message>
     <message>
         <source>Round the print the marks span</source>
-        <translation type="unfinished"></translation>
+        <translation>Alrededor de la impresión las marcas abarcan</translation>
     </message>
     <message>
         <source>Round this hole the balloon may kink: with a weld creased to {percent} of its stiffness the outline moves by up to {length}; with one {wanted} wide, creased as much, by {less}.</source>
@@ -4508,7 +4508,7 @@
     </message>
     <message>
         <source>S at full power</source>
-        <translation type="unfinished"></translation>
+        <translation>S a plena potencia</translation>
     </message>
     <message>
         <source>STL, OBJ, PLY, 3MF or STEP</source>
@@ -4556,7 +4556,7 @@
     </message>
     <message>
         <source>Save files…</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar archivos…</translation>
     </message>
     <message>
         <source>Save results</source>
@@ -4592,19 +4592,19 @@
     </message>
     <message>
         <source>Seal across the neck along its line, through panels and strips. The field keeps the channel open.</source>
-        <translation type="unfinished"></translation>
+        <translation>Selle a través del cuello por su línea, paneles y tiras juntos. El campo mantiene abierto el canal.</translation>
     </message>
     <message>
         <source>Seal the lines inside.</source>
-        <translation type="unfinished"></translation>
+        <translation>Selle las líneas del interior.</translation>
     </message>
     <message>
         <source>Seal the outline, {seal} wide, all but the mouth of the neck.</source>
-        <translation type="unfinished"></translation>
+        <translation>Selle el contorno, con {seal} de ancho, todo menos la boca del cuello.</translation>
     </message>
     <message>
         <source>Seal the outline, {seal} wide, all the way round.</source>
-        <translation type="unfinished"></translation>
+        <translation>Selle el contorno, con {seal} de ancho, todo alrededor.</translation>
     </message>
     <message>
         <source>Seal the seams in the order of the pictures along the dashed line, {seal} wide, from end to end.</source>
@@ -4804,7 +4804,7 @@
     </message>
     <message>
         <source>Set up machines of your own</source>
-        <translation type="unfinished"></translation>
+        <translation>Configurar máquinas propias</translation>
     </message>
     <message>
         <source>Shadows on the background were taken off.</source>
@@ -4816,11 +4816,11 @@
     </message>
     <message>
         <source>Share of the feed near corners and in narrow bends</source>
-        <translation type="unfinished"></translation>
+        <translation>Parte del avance cerca de las esquinas y en curvas cerradas</translation>
     </message>
     <message>
         <source>Share of the laser's full power; empty: not known yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Parte de la potencia máxima del láser; vacío: aún no se sabe</translation>
     </message>
     <message>
         <source>Sheet length</source>
@@ -4876,7 +4876,7 @@
     </message>
     <message>
         <source>Silhouette from Inkscape</source>
-        <translation type="unfinished"></translation>
+        <translation>Silhouette desde Inkscape</translation>
     </message>
     <message>
         <source>Silhouette off the drawing</source>
@@ -4904,7 +4904,7 @@
     </message>
     <message>
         <source>Size unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>Tamaño desconocido</translation>
     </message>
     <message>
         <source>So far it is a line. Close it, or paint an area, and it becomes a balloon.</source>
@@ -4932,15 +4932,15 @@
     </message>
     <message>
         <source>Spindle</source>
-        <translation type="unfinished"></translation>
+        <translation>Husillo</translation>
     </message>
     <message>
         <source>Split over beds</source>
-        <translation type="unfinished"></translation>
+        <translation>Repartir en varias camas</translation>
     </message>
     <message>
         <source>Split over beds of {0}, the pattern leaves no waste film for two crosses {1} apart by which it is laid on anew: choose a larger bed, or lay the pieces out on sheets.</source>
-        <translation type="unfinished"></translation>
+        <translation>Repartido en varias camas de {0}, el patrón no deja película sobrante para dos cruces separadas {1} con las que recolocarla: elija una cama mayor o coloque las piezas en láminas.</translation>
     </message>
     <message>
         <source>Spot in 16 panels</source>
@@ -4948,15 +4948,15 @@
     </message>
     <message>
         <source>Start values for welding: {0} ({1}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Valores iniciales para soldar: {0} ({1}).</translation>
     </message>
     <message>
         <source>Start values, not tried on your film and tool: {start_values} ({start_sources}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Valores iniciales, sin probar con su película y su herramienta: {start_values} ({start_sources}).</translation>
     </message>
     <message>
         <source>Stated is: {0} ({1}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Se indica: {0} ({1}).</translation>
     </message>
     <message>
         <source>Steps</source>
@@ -4988,7 +4988,7 @@
     </message>
     <message>
         <source>Straight from the front, from far away, on a plain background of another colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Justo de frente, desde lejos, sobre un fondo liso de otro color</translation>
     </message>
     <message>
         <source>Straw neck</source>
@@ -5016,15 +5016,15 @@
     </message>
     <message>
         <source>Such as Tip for PE</source>
-        <translation type="unfinished"></translation>
+        <translation>Por ejemplo, Punta para PE</translation>
     </message>
     <message>
         <source>Summa with OPOS (vinyl cutter)</source>
-        <translation type="unfinished"></translation>
+        <translation>Summa con OPOS (cortador de vinilo)</translation>
     </message>
     <message>
         <source>Summa with OPOS XY (vinyl cutter)</source>
-        <translation type="unfinished"></translation>
+        <translation>Summa con OPOS XY (cortador de vinilo)</translation>
     </message>
     <message>
         <source>Symmetry</source>
@@ -5040,11 +5040,11 @@
     </message>
     <message>
         <source>Tabs</source>
-        <translation type="unfinished"></translation>
+        <translation>Puentes</translation>
     </message>
     <message>
         <source>Tabs are left by a machine that cuts: give --machine too, and one that does.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los puentes los deja una máquina que corta: indique también --machine, y una que lo haga.</translation>
     </message>
     <message>
         <source>Tacked to one panel</source>
@@ -5116,7 +5116,7 @@
     </message>
     <message>
         <source>Temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>Temperatura</translation>
     </message>
     <message>
         <source>Temperatures need scipy: install it with pip install scipy.</source>
@@ -5128,15 +5128,15 @@
     </message>
     <message>
         <source>Test card</source>
-        <translation type="unfinished"></translation>
+        <translation>Tarjeta de prueba</translation>
     </message>
     <message>
         <source>Test card written to {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Tarjeta de prueba escrita en {}</translation>
     </message>
     <message>
         <source>Test cards</source>
-        <translation type="unfinished"></translation>
+        <translation>Tarjetas de prueba</translation>
     </message>
     <message>
         <source>That of the front</source>
@@ -5376,7 +5376,7 @@
     </message>
     <message>
         <source>The bar of {0} does not fit between marks that are {1} apart: make the balloon larger, or print several beside each other.</source>
-        <translation type="unfinished"></translation>
+        <translation>La barra de {0} no cabe entre marcas separadas {1}: haga el globo mayor o imprima varios uno al lado de otro.</translation>
     </message>
     <message>
         <source>The bending floor must be between 0 and 1, not {0}. Usual is {1}.</source>
@@ -5424,7 +5424,7 @@
     </message>
     <message>
         <source>The camera finds the dots round a print, on the layer Register; the fifth tells how the sheet lies. The layer Register is not cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>La cámara encuentra los puntos alrededor de una impresión, en la capa Register; el quinto dice cómo está puesta la lámina. La capa Register no se corta.</translation>
     </message>
     <message>
         <source>The caps are too large for the ball. Choose a smaller diameter for them.</source>
@@ -5448,11 +5448,11 @@
     </message>
     <message>
         <source>The cutter finds the four discs round a print itself. VersaWorks prints discs of its own: give it the PDF for print and cut instead. The layer REGISTRATION is not cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>La cortadora encuentra sola los cuatro discos alrededor de una impresión. VersaWorks imprime discos propios: dele en su lugar el PDF para imprimir y cortar. La capa REGISTRATION no se corta.</translation>
     </message>
     <message>
         <source>The cutter finds the squares at both sides of a print itself, on the layer Regmark, which is not cut. Set their size of 3 mm and their distances there, where its program does not read them. Feed the sheet with its lower edge first.</source>
-        <translation type="unfinished"></translation>
+        <translation>La cortadora encuentra sola los cuadrados a ambos lados de una impresión, en la capa Regmark, que no se corta. Ponga allí su tamaño de 3 mm y sus distancias, si su programa no los lee. Meta la lámina con el borde inferior por delante.</translation>
     </message>
     <message>
         <source>The drawing cannot be reached everywhere: the silhouette is up to {} off it.</source>
@@ -5580,11 +5580,11 @@
     </message>
     <message>
         <source>The file of what is left of another layout: pieces are laid inside it first</source>
-        <translation type="unfinished"></translation>
+        <translation>El archivo de lo que queda de otra colocación: las piezas se colocan primero dentro de él</translation>
     </message>
     <message>
         <source>The file test-card.json that was written with the card</source>
-        <translation type="unfinished"></translation>
+        <translation>El archivo test-card.json que se escribió con la tarjeta</translation>
     </message>
     <message>
         <source>The file {0} is of no use: {1}. Install it anew.</source>
@@ -5592,7 +5592,7 @@
     </message>
     <message>
         <source>The files that it, or its program, opens</source>
-        <translation type="unfinished"></translation>
+        <translation>Los archivos que abre ella, o su programa</translation>
     </message>
     <message>
         <source>The film '{0}' has no mass. Give its areal density.</source>
@@ -5660,7 +5660,7 @@
     </message>
     <message>
         <source>The free edition opens DXF, not SVG. Choose "as is" for the size in the import preferences. Silhouette adds the knife's offset and overcut. Nothing is in the file that may not be cut. Studio draws registration marks itself, print them from there; or set page A4, inset 10 mm, length 8.4 mm and thickness 1 mm there and lay the file's marks on them, not to be cut: a print has the same. Nothing is cut outside them.</source>
-        <translation type="unfinished"></translation>
+        <translation>La edición gratuita abre DXF, no SVG. Elija «as is» para el tamaño en las preferencias de importación. Silhouette añade el desvío y el sobrecorte de la cuchilla. En el archivo no hay nada que no se pueda cortar. Studio dibuja él mismo las marcas de registro, imprímalas desde allí; o ponga allí página A4, margen 10 mm, longitud 8,4 mm y grosor 1 mm y ponga sobre ellas las marcas del archivo, sin cortarlas: una impresión tiene las mismas. Fuera de ellas no se corta nada.</translation>
     </message>
     <message>
         <source>The goal has {0} combinations to choose from, of which each is tried: list 1 to {1}.</source>
@@ -5828,7 +5828,7 @@
     </message>
     <message>
         <source>The machine that finds the print again by its registration marks, printed round it</source>
-        <translation type="unfinished"></translation>
+        <translation>La máquina que vuelve a encontrar la impresión por sus marcas de registro, impresas a su alrededor</translation>
     </message>
     <message>
         <source>The mesh has a triangle with a point that is not there. Save it once more.</source>
@@ -5904,7 +5904,7 @@
     </message>
     <message>
         <source>The number that the controller takes for full power: $30 of GRBL</source>
-        <translation type="unfinished"></translation>
+        <translation>El número que el controlador toma como plena potencia: $30 en GRBL</translation>
     </message>
     <message>
         <source>The opening is at point {0} of panel '{1}', whose points are 0 to {2}. Choose one of them.</source>
@@ -6044,7 +6044,7 @@
     </message>
     <message>
         <source>The picture, and all figures as JSON</source>
-        <translation type="unfinished"></translation>
+        <translation>La imagen, y todas las cifras como JSON</translation>
     </message>
     <message>
         <source>The pieces of the intake "{0}" are cut from {1}: they have a file of their own, with all of them for each balloon.</source>
@@ -6068,11 +6068,11 @@
     </message>
     <message>
         <source>The plotter finds the marks of a print itself. Set mark type 1 and a size of 10 mm there. The layer REGISTRATION is not cut. The knife's offset belongs into the plotter.</source>
-        <translation type="unfinished"></translation>
+        <translation>El trazador encuentra solo las marcas de una impresión. Ponga allí el tipo de marca 1 y un tamaño de 10 mm. La capa REGISTRATION no se corta. El desvío de la cuchilla se pone en el trazador.</translation>
     </message>
     <message>
         <source>The plotter finds the marks of a print itself. Set shape 1 and a size of 10 mm there. FineCut takes marks only that it made itself: let it make them in the place of these. The layer REGISTRATION is not cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>El trazador encuentra solo las marcas de una impresión. Ponga allí la forma 1 y un tamaño de 10 mm. FineCut solo acepta marcas que hizo él mismo: haga que las ponga en el lugar de estas. La capa REGISTRATION no se corta.</translation>
     </message>
     <message>
         <source>The pressure at the lower end must be 0 or more.</source>
@@ -6092,15 +6092,15 @@
     </message>
     <message>
         <source>The print has {0}, and {1} looks for others: print once more with its marks ({2}).</source>
-        <translation type="unfinished"></translation>
+        <translation>La impresión tiene {0}, y {1} busca otras: imprima otra vez con sus marcas ({2}).</translation>
     </message>
     <message>
         <source>The print measures</source>
-        <translation type="unfinished"></translation>
+        <translation>La impresión mide</translation>
     </message>
     <message>
         <source>The print measures {0}, and between the marks of {1} there are {2} on paper of {3}: make the balloon smaller, or give larger paper as page_mm of the marks in a file of your machine.</source>
-        <translation type="unfinished"></translation>
+        <translation>La impresión mide {0}, y entre las marcas de {1} hay {2} en papel de {3}: reduzca el globo, o indique un papel mayor como page_mm de las marcas en un archivo de su máquina.</translation>
     </message>
     <message>
         <source>The print on film</source>
@@ -6108,7 +6108,7 @@
     </message>
     <message>
         <source>The print reaches into the marks of {0}, or comes nearer than {1}: make the balloon smaller, or give larger paper as page_mm of the marks in a file of your machine.</source>
-        <translation type="unfinished"></translation>
+        <translation>La impresión entra en las marcas de {0}, o se acerca a menos de {1}: reduzca el globo, o indique un papel mayor como page_mm de las marcas en un archivo de su máquina.</translation>
     </message>
     <message>
         <source>The profile crosses or touches itself at {0}. Draw a simple line.</source>
@@ -6152,15 +6152,15 @@
     </message>
     <message>
         <source>The remnant is of {0} film, and no piece here is cut from that.</source>
-        <translation type="unfinished"></translation>
+        <translation>El retal es de película de {0}, y aquí ninguna pieza se corta de ella.</translation>
     </message>
     <message>
         <source>The remnant {0} is of no use: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>El retal {0} no sirve: {1}</translation>
     </message>
     <message>
         <source>The remnant {0} lacks {1}: add it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Al retal {0} le falta {1}: añádalo.</translation>
     </message>
     <message>
         <source>The repair at {0} no longer fits, {1}: take it back or draw that part anew.</source>
@@ -6172,7 +6172,7 @@
     </message>
     <message>
         <source>The rim is the width of the weld and of the film beside it: give 0 to 1 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>El borde es la anchura de la soldadura y de la película junto a ella: indique de 0 a 1 m.</translation>
     </message>
     <message>
         <source>The row has more cells than there are columns: leave out what is too much.</source>
@@ -6188,7 +6188,7 @@
     </message>
     <message>
         <source>The same length as it is, such as 300 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>La misma longitud tal como es, por ejemplo 300 mm</translation>
     </message>
     <message>
         <source>The scale '{0}' cannot be used: {1}.</source>
@@ -6560,11 +6560,11 @@
     </message>
     <message>
         <source>There is a film {0} already: say that it may be replaced.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ya existe una película {0}: diga que se puede reemplazar.</translation>
     </message>
     <message>
         <source>There is a machine {0} already: give this one another name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ya existe una máquina {0}: dé a esta otro nombre.</translation>
     </message>
     <message>
         <source>There is advice about two equal panels only: of many, the warnings tell.</source>
@@ -6720,7 +6720,7 @@
     </message>
     <message>
         <source>This OpenCV writes no MP4: take --animation gif, or install opencv-python-headless with pip.</source>
-        <translation type="unfinished"></translation>
+        <translation>Este OpenCV no escribe MP4: use --animation gif, o instale opencv-python-headless con pip.</translation>
     </message>
     <message>
         <source>This Python has no working ctypes module, which SciPy and the native solver need: patterns can be changed and written, but no balloon can be inflated anew. Take another build of FreeCAD or of Python.</source>
@@ -6816,11 +6816,11 @@
     </message>
     <message>
         <source>Tie a ribbon round the neck, and to it a weight heavier than the {lift} that {gas} lifts. No metallic ribbon on foil, never let it fly.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ate una cinta al cuello, y a ella un peso mayor que los {lift} que levanta el gas ({gas}). Nada de cinta metálica en película metalizada, no lo suelte nunca.</translation>
     </message>
     <message>
         <source>Tie a ribbon round the neck, to hang it up or to hold it: it does not float.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ate una cinta al cuello, para colgarlo o sujetarlo: no flota.</translation>
     </message>
     <message>
         <source>Tip that stays flat</source>
@@ -6832,15 +6832,15 @@
     </message>
     <message>
         <source>To cut, your settings of {cut_machine}: {cut}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Para cortar, sus ajustes de {cut_machine}: {cut}.</translation>
     </message>
     <message>
         <source>To let the gas out, cut the seal across the neck off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Para sacar el gas, corte la soldadura a través del cuello.</translation>
     </message>
     <message>
         <source>To let the gas out, push a straw in through the neck until it hisses, and press gently. Keep the balloon flat, not folded: it can be filled again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Para sacar el gas, meta una pajita por el cuello hasta que silbe y apriete suavemente. Guarde el globo plano, sin doblar: se puede volver a llenar.</translation>
     </message>
     <message>
         <source>To this value, with its unit</source>
@@ -6848,7 +6848,7 @@
     </message>
     <message>
         <source>To weld, your settings of {weld_machine}: {weld}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Para soldar, sus ajustes de {weld_machine}: {weld}.</translation>
     </message>
     <message>
         <source>Tolerances are worked out for two equal panels of one shape: </source>
@@ -6864,7 +6864,7 @@
     </message>
     <message>
         <source>Tool</source>
-        <translation type="unfinished"></translation>
+        <translation>Herramienta</translation>
     </message>
     <message>
         <source>Tool paths</source>
@@ -6872,7 +6872,7 @@
     </message>
     <message>
         <source>Tool paths are not split over beds: write the G-code, or choose a larger bed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las trayectorias de herramienta no se reparten en varias camas: escriba el código G o elija una cama mayor.</translation>
     </message>
     <message>
         <source>Tool paths, no file</source>
@@ -6912,7 +6912,7 @@
     </message>
     <message>
         <source>True length</source>
-        <translation type="unfinished"></translation>
+        <translation>Longitud real</translation>
     </message>
     <message>
         <source>Try temperature and time on two scraps: the weld must stretch or tear before it opens.</source>
@@ -6924,7 +6924,7 @@
     </message>
     <message>
         <source>Turns a minute; empty: not known yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Vueltas por minuto; vacío: aún no se sabe</translation>
     </message>
     <message>
         <source>Twelve panels that follow a solid: change its sizes in the spreadsheet</source>
@@ -6976,11 +6976,11 @@
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Unidad</translation>
     </message>
     <message>
         <source>Unit of the numbers in its files</source>
-        <translation type="unfinished"></translation>
+        <translation>Unidad de los números en sus archivos</translation>
     </message>
     <message>
         <source>Unknown</source>
@@ -6988,7 +6988,7 @@
     </message>
     <message>
         <source>Upload the SVG as a cut image and compare the control bar: some versions read the size at 72 dpi. Nothing is in the file that may not be cut. It adds the knife's offset and overcut itself. Design Space prints marks of its own (Print Then Cut), round at most 183 x 270 mm on A4: a print has none, and is refused where it is larger.</source>
-        <translation type="unfinished"></translation>
+        <translation>Suba el SVG como imagen de corte y compare la barra de control: algunas versiones leen el tamaño a 72 ppp. En el archivo no hay nada que no se pueda cortar. Añade él mismo el desvío y el sobrecorte de la cuchilla. Design Space imprime marcas propias (Print Then Cut), alrededor de 183 x 270 mm como mucho en A4: una impresión no lleva ninguna, y se rechaza si es mayor.</translation>
     </message>
     <message>
         <source>Upper end</source>
@@ -7084,7 +7084,7 @@
     </message>
     <message>
         <source>Weld overrun</source>
-        <translation type="unfinished"></translation>
+        <translation>Solape de soldadura</translation>
     </message>
     <message>
         <source>Weld rigidity</source>
@@ -7124,15 +7124,15 @@
     </message>
     <message>
         <source>What is cut is a line in the spot colour CutContour, which prints over the picture and leaves no gap in it. With artwork both are in artwork-print-and-cut-pdf.pdf. The shop's program adds marks of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que se corta es una línea en la tinta plana CutContour, que se imprime sobre la imagen y no deja hueco en ella. Con ilustración, ambas están en artwork-print-and-cut-pdf.pdf. El programa de la imprenta añade marcas propias.</translation>
     </message>
     <message>
         <source>What it can work on, such as 600 x 400 mm, or 600 mm for a roll; empty where there is no limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que puede trabajar, por ejemplo 600 x 400 mm, o 600 mm para un rollo; vacío si no hay límite</translation>
     </message>
     <message>
         <source>What it holds</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que lleva montado</translation>
     </message>
     <message>
         <source>What it takes to make it</source>
@@ -7168,7 +7168,7 @@
     </message>
     <message>
         <source>What you want to read when you choose this machine, such as film and separating layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que quiere leer al elegir esta máquina, por ejemplo película y capa separadora</translation>
     </message>
     <message>
         <source>What {0} sent is not the native solver of this release: its SHA-256 is another one. It was not kept. {1}</source>
@@ -7216,7 +7216,7 @@
     </message>
     <message>
         <source>Width of film that the beam or cutter takes away: cuts are moved outward by half of it</source>
-        <translation type="unfinished"></translation>
+        <translation>Anchura de película que quita el haz o la fresa: los cortes se mueven hacia fuera la mitad</translation>
     </message>
     <message>
         <source>Width of the balloon when it is inflated</source>
@@ -7288,7 +7288,7 @@
     </message>
     <message>
         <source>Write several files, each as large as the bed. Crosses in waste film tell how the film is laid on anew for the next one</source>
-        <translation type="unfinished"></translation>
+        <translation>Escribir varios archivos, cada uno tan grande como la cama. Unas cruces en la película sobrante dicen cómo recolocarla para el siguiente</translation>
     </message>
     <message>
         <source>Write the file although it is larger than the bed</source>
@@ -7328,7 +7328,7 @@
     </message>
     <message>
         <source>Writing the test card</source>
-        <translation type="unfinished"></translation>
+        <translation>Escribiendo la tarjeta de prueba</translation>
     </message>
     <message>
         <source>Writing {0}</source>
@@ -7356,7 +7356,7 @@
     </message>
     <message>
         <source>Zünd Cut Center (flat bed)</source>
-        <translation type="unfinished"></translation>
+        <translation>Zünd Cut Center (mesa plana)</translation>
     </message>
     <message>
         <source>["200mm", "300mm"], {"linspace": ["1kPa", "3kPa", 5]} with how many, {"range": [6, 12, 2]} with the step, {"between": ["1kPa", "3kPa"]} for samples, or {"glob": "drawings/*.png"}</source>
@@ -7396,7 +7396,7 @@
     </message>
     <message>
         <source>a loop is no list of at least three points [x, y].</source>
-        <translation type="unfinished"></translation>
+        <translation>un contorno no es una lista de al menos tres puntos [x, y].</translation>
     </message>
     <message>
         <source>a mass</source>
@@ -7512,7 +7512,7 @@
     </message>
     <message>
         <source>baking paper</source>
-        <translation type="unfinished"></translation>
+        <translation>papel de hornear</translation>
     </message>
     <message>
         <source>balloon {0} of {1}</source>
@@ -7532,11 +7532,11 @@
     </message>
     <message>
         <source>bar or iron {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>barra o plancha: {0}</translation>
     </message>
     <message>
         <source>bed_mm is {0}: give [width, height], [width, null] for a roll, or null where there is no limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>bed_mm es {0}: indique [anchura, altura], [anchura, null] para un rollo, o null si no hay límite.</translation>
     </message>
     <message>
         <source>both lie on borders of one piece</source>
@@ -7556,7 +7556,7 @@
     </message>
     <message>
         <source>crosses for the eye</source>
-        <translation type="unfinished"></translation>
+        <translation>cruces a ojo</translation>
     </message>
     <message>
         <source>cut</source>
@@ -7692,7 +7692,7 @@
     </message>
     <message>
         <source>hot tip at {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>punta caliente: {0}</translation>
     </message>
     <message>
         <source>hot wheel</source>
@@ -7756,7 +7756,7 @@
     </message>
     <message>
         <source>it has {0} shapes: give 1 to {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>tiene {0} formas: indique de 1 a {1}.</translation>
     </message>
     <message>
         <source>it is nested too deeply</source>
@@ -7788,7 +7788,7 @@
     </message>
     <message>
         <source>its lines cross or touch: give the edge of one piece of film, and its holes.</source>
-        <translation type="unfinished"></translation>
+        <translation>sus líneas se cruzan o se tocan: indique el borde de una pieza de película, y sus agujeros.</translation>
     </message>
     <message>
         <source>its points have lists.</source>
@@ -7816,7 +7816,7 @@
     </message>
     <message>
         <source>laying out</source>
-        <translation type="unfinished"></translation>
+        <translation>colocando</translation>
     </message>
     <message>
         <source>laying out, {0} so far</source>
@@ -7852,7 +7852,7 @@
     </message>
     <message>
         <source>line_mm of marks is {0}, and size_mm {1}: a line is at most half as wide as its mark.</source>
-        <translation type="unfinished"></translation>
+        <translation>line_mm de las marcas es {0}, y size_mm {1}: una línea tiene como mucho la mitad del ancho de su marca.</translation>
     </message>
     <message>
         <source>loose: {}</source>
@@ -7872,19 +7872,19 @@
     </message>
     <message>
         <source>marks is {0}: give {"style": ...}, or leave it out for crosses.</source>
-        <translation type="unfinished"></translation>
+        <translation>marks es {0}: indique {"style": ...}, u omítalo para tener cruces.</translation>
     </message>
     <message>
         <source>marks of size_mm {0} and inset_mm {1} do not fit on a page_mm of {2}: give a larger page or smaller marks.</source>
-        <translation type="unfinished"></translation>
+        <translation>las marcas con size_mm {0} e inset_mm {1} no caben en un page_mm de {2}: indique una página mayor o marcas menores.</translation>
     </message>
     <message>
         <source>marks of style {0} have no "{1}": only {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>las marcas de estilo {0} no tienen "{1}": solo {2}.</translation>
     </message>
     <message>
         <source>marks of style {0} lack {1}: add it.</source>
-        <translation type="unfinished"></translation>
+        <translation>a las marcas de estilo {0} les falta {1}: añádalo.</translation>
     </message>
     <message>
         <source>mass</source>
@@ -7904,7 +7904,7 @@
     </message>
     <message>
         <source>moved at {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>movida a {0}</translation>
     </message>
     <message>
         <source>name a property of the balloon</source>
@@ -7944,7 +7944,7 @@
     </message>
     <message>
         <source>nobody knows the start value "{0}": it may be one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>nadie conoce el valor inicial "{0}": puede ser {1}.</translation>
     </message>
     <message>
         <source>not converged: </source>
@@ -7956,7 +7956,7 @@
     </message>
     <message>
         <source>nothing is left that is large enough to be used again</source>
-        <translation type="unfinished"></translation>
+        <translation>no queda nada bastante grande para volver a usarse</translation>
     </message>
     <message>
         <source>number for full power</source>
@@ -7964,11 +7964,11 @@
     </message>
     <message>
         <source>on a remnant of</source>
-        <translation type="unfinished"></translation>
+        <translation>en un retal de</translation>
     </message>
     <message>
         <source>only a PDF has spot colours: give "format": "pdf", or leave them out.</source>
-        <translation type="unfinished"></translation>
+        <translation>solo un PDF tiene tintas planas: indique "format": "pdf", u omítalas.</translation>
     </message>
     <message>
         <source>opacity</source>
@@ -7980,7 +7980,7 @@
     </message>
     <message>
         <source>outward of marks is {0}: write true or false.</source>
-        <translation type="unfinished"></translation>
+        <translation>outward de las marcas es {0}: escriba true o false.</translation>
     </message>
     <message>
         <source>over</source>
@@ -7996,7 +7996,7 @@
     </message>
     <message>
         <source>pieces {0}, {1} {2}, {3} used</source>
-        <translation type="unfinished"></translation>
+        <translation>piezas {0}, {1} {2}, {3} aprovechado</translation>
     </message>
     <message>
         <source>place "{0}" is neither {1} nor {2}.</source>
@@ -8008,7 +8008,7 @@
     </message>
     <message>
         <source>pressed for {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>presión durante {0}</translation>
     </message>
     <message>
         <source>pressure</source>
@@ -8024,7 +8024,7 @@
     </message>
     <message>
         <source>reading the photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>leyendo la fotografía</translation>
     </message>
     <message>
         <source>reading the solid</source>
@@ -8032,7 +8032,7 @@
     </message>
     <message>
         <source>remnants {0}, {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>retales {0}, {1}</translation>
     </message>
     <message>
         <source>right</source>
@@ -8064,7 +8064,7 @@
     </message>
     <message>
         <source>speed</source>
-        <translation type="unfinished"></translation>
+        <translation>velocidad</translation>
     </message>
     <message>
         <source>speed of the spindle</source>
@@ -8076,7 +8076,7 @@
     </message>
     <message>
         <source>square_mm of marks is larger than size_mm, {0}: make it smaller.</source>
-        <translation type="unfinished"></translation>
+        <translation>square_mm de las marcas es mayor que size_mm, {0}: redúzcalo.</translation>
     </message>
     <message>
         <source>stale: </source>
@@ -8088,11 +8088,11 @@
     </message>
     <message>
         <source>start_values are of films that are welded by heat: give "joining": "heat" too.</source>
-        <translation type="unfinished"></translation>
+        <translation>start_values son de películas que se sueldan con calor: indique también "joining": "heat".</translation>
     </message>
     <message>
         <source>start_values are {0}: give the values with their sources, or leave them out.</source>
-        <translation type="unfinished"></translation>
+        <translation>start_values son {0}: indique los valores con sus fuentes, u omítalos.</translation>
     </message>
     <message>
         <source>stopped; {0}.</source>
@@ -8136,7 +8136,7 @@
     </message>
     <message>
         <source>test-card.json</source>
-        <translation type="unfinished"></translation>
+        <translation>test-card.json</translation>
     </message>
     <message>
         <source>the answer is not HTTP</source>
@@ -8176,7 +8176,7 @@
     </message>
     <message>
         <source>the layer name "{0}" may have 1 to 31 of A-Z, a-z, 0-9, _, - and $ only.</source>
-        <translation type="unfinished"></translation>
+        <translation>el nombre de capa "{0}" solo puede tener de 1 a 31 de A-Z, a-z, 0-9, _, - y $.</translation>
     </message>
     <message>
         <source>the layer {0} lacks {1}: give speed and power together, or neither.</source>
@@ -8184,7 +8184,7 @@
     </message>
     <message>
         <source>the marks of {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>las marcas de {0}</translation>
     </message>
     <message>
         <source>the name "{0}" of the stock goes into file names: take letters a to z.</source>
@@ -8200,15 +8200,15 @@
     </message>
     <message>
         <source>the separating layer "{0}" is none of {1}: take one.</source>
-        <translation type="unfinished"></translation>
+        <translation>la capa separadora "{0}" no es ninguna de {1}: tome una.</translation>
     </message>
     <message>
         <source>the spot colour "{0}" may have letters, digits, _ and - only.</source>
-        <translation type="unfinished"></translation>
+        <translation>la tinta plana "{0}" solo puede tener letras, cifras, _ y -.</translation>
     </message>
     <message>
         <source>the style of marks</source>
-        <translation type="unfinished"></translation>
+        <translation>el estilo de las marcas</translation>
     </message>
     <message>
         <source>the tool "{0}" is none of {1}.</source>
@@ -8232,7 +8232,7 @@
     </message>
     <message>
         <source>there is no unit "{0}": write "mm".</source>
-        <translation type="unfinished"></translation>
+        <translation>no hay unidad "{0}": escriba "mm".</translation>
     </message>
     <message>
         <source>thickness</source>
@@ -8248,7 +8248,7 @@
     </message>
     <message>
         <source>through a layer of {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>a través de una capa de {0}</translation>
     </message>
     <message>
         <source>tight: {}</source>
@@ -8376,7 +8376,7 @@
     </message>
     <message>
         <source>{0} cannot be deleted: {1}. See who may write there.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} no se puede eliminar: {1}. Mire quién puede escribir ahí.</translation>
     </message>
     <message>
         <source>{0} cannot be loaded ({1}).</source>
@@ -8392,7 +8392,7 @@
     </message>
     <message>
         <source>{0} cannot make crosses in the film to lay it on anew (layer REGISTRATION): choose another machine, or make the balloon smaller.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} no puede hacer cruces en la película para recolocarla (capa REGISTRATION): elija otra máquina o reduzca el globo.</translation>
     </message>
     <message>
         <source>{0} cannot work: {1}</source>
@@ -8428,7 +8428,7 @@
     </message>
     <message>
         <source>{0} goes up to {1}, and {2} bears {3}: give less.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: llega hasta {1}, y {2} soporta {3}: indique menos.</translation>
     </message>
     <message>
         <source>{0} has a point that is no number or farther away than {1}. Check its coordinates and the unit.</source>
@@ -8684,7 +8684,7 @@
     </message>
     <message>
         <source>{0} is {1}: give a number, or [least, most].</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} es {1}: indique un número, o [mínimo, máximo].</translation>
     </message>
     <message>
         <source>{0} is {1}: give a number.</source>
@@ -8692,11 +8692,11 @@
     </message>
     <message>
         <source>{0} is {1}: give numbers from {2} to {3}, the smaller one first.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} es {1}: indique números de {2} a {3}, el menor primero.</translation>
     </message>
     <message>
         <source>{0} is {1}: write it as {"value": ..., "source": "who says so"}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} es {1}: escríbalo como {"value": ..., "source": "quién lo dice"}.</translation>
     </message>
     <message>
         <source>{0} is {1}: write true or false.</source>
@@ -8704,7 +8704,7 @@
     </message>
     <message>
         <source>{0} lacks its source: write who states it. What nobody states is left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} no tiene fuente: escriba quién lo indica. Lo que nadie indica se omite.</translation>
     </message>
     <message>
         <source>{0} left out ({1}).</source>
@@ -8760,11 +8760,11 @@
     </message>
     <message>
         <source>{0} of marks is {1}: give [width, height], or leave it out.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} de las marcas es {1}: indique [anchura, altura], u omítalo.</translation>
     </message>
     <message>
         <source>{0} of marks is {1}: give a number from {2} to {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} de las marcas es {1}: indique un número de {2} a {3}.</translation>
     </message>
     <message>
         <source>{0} of {1} cannot be {2}: take another value.</source>
@@ -8872,7 +8872,7 @@
     </message>
     <message>
         <source>{0} {1}, and {2} takes at most {3}: make the balloon smaller, or print and cut it on another machine.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} {1}, y {2} admite {3} como mucho: reduzca el globo, o imprímalo y córtelo en otra máquina.</translation>
     </message>
     <message>
         <source>{0}, inflated: {1}</source>
@@ -8880,15 +8880,15 @@
     </message>
     <message>
         <source>{0}: '{1}' is no number, write one such as 20.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: '{1}' no es un número, escriba uno como 20.</translation>
     </message>
     <message>
         <source>{0}: it is split over several files. Cut them in their order, and lay the film on anew each time so that its crosses are where the next file has them.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: está repartido en varios archivos. Córtelos en su orden, y recoloque cada vez la película de modo que sus cruces queden donde las tiene el archivo siguiente.</translation>
     </message>
     <message>
         <source>{0}: its file lacks {1}: add it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: a su archivo le falta {1}: añádalo.</translation>
     </message>
     <message>
         <source>{0}: lay its pieces out on sheets of that size, make the balloon smaller, or write the file anyway.</source>
@@ -8908,11 +8908,11 @@
     </message>
     <message>
         <source>{0}: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: {1}</translation>
     </message>
     <message>
         <source>{0}: {1} mm is out of range, give {2} to {3} mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: {1} mm está fuera del intervalo, indique de {2} a {3} mm.</translation>
     </message>
     <message>
         <source>{0}; wider than the usual roll</source>
@@ -8936,7 +8936,7 @@
     </message>
     <message>
         <source>{} (unusable)</source>
-        <translation type="unfinished"></translation>
+        <translation>{} (inservible)</translation>
     </message>
     <message>
         <source>{} ({})</source>
@@ -8968,11 +8968,11 @@
     </message>
     <message>
         <source>{} is among the films</source>
-        <translation type="unfinished"></translation>
+        <translation>{} está entre las películas</translation>
     </message>
     <message>
         <source>{} is among the machines of Export pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>{} está entre las máquinas de «Exportar patrón»</translation>
     </message>
     <message>
         <source>{} is in the tree</source>
@@ -8988,7 +8988,7 @@
     </message>
     <message>
         <source>{} is there already: tick "Replace the files", or choose another folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>{} ya existe: marque «Reemplazar los archivos» o elija otra carpeta.</translation>
     </message>
     <message>
         <source>{} ms, {}, frame {} of {}</source>
@@ -9138,11 +9138,11 @@
     <name>BalloonWorkbench_Compare</name>
     <message>
         <source>Compare with a photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>Comparar con una fotografía</translation>
     </message>
     <message>
         <source>Lay a photograph of the finished balloon over the simulated one, and see how near it came</source>
-        <translation type="unfinished"></translation>
+        <translation>Poner una fotografía del globo acabado sobre el simulado y ver cuánto se le acercó</translation>
     </message>
 </context>
 <context>
@@ -9237,11 +9237,11 @@
     <name>BalloonWorkbench_Machines</name>
     <message>
         <source>My machines</source>
-        <translation type="unfinished"></translation>
+        <translation>Mis máquinas</translation>
     </message>
     <message>
         <source>Set up cutters, lasers, sealers and printers of your own: bed, file format, kerf, knife and tool</source>
-        <translation type="unfinished"></translation>
+        <translation>Configurar cortadoras, láseres, selladoras e impresoras propias: cama, formato de archivo, ancho de corte, cuchilla y herramienta</translation>
     </message>
 </context>
 <context>
@@ -9281,11 +9281,11 @@
     <name>BalloonWorkbench_TestCard</name>
     <message>
         <source>Find feed, power, temperature or depth of a tool for a film: weld or cut a card of fields</source>
-        <translation type="unfinished"></translation>
+        <translation>Hallar avance, potencia, temperatura o profundidad de una herramienta para una película: soldar o cortar una tarjeta de campos</translation>
     </message>
     <message>
         <source>Test card</source>
-        <translation type="unfinished"></translation>
+        <translation>Tarjeta de prueba</translation>
     </message>
 </context>
 <context>

@@ -345,7 +345,7 @@
     </message>
     <message>
         <source>Lay panels first onto what is left of another layout, as its file says; the rest on the film</source>
-        <translation type="unfinished"></translation>
+        <translation>Poser d'abord les panneaux sur ce qui reste d'une autre disposition, comme le dit son fichier ; le reste sur le film</translation>
     </message>
     <message>
         <source>Least bending stiffness, in units of the usual least one</source>
@@ -501,7 +501,7 @@
     </message>
     <message>
         <source>On which remnant each sheet is, -1 for none</source>
-        <translation type="unfinished"></translation>
+        <translation>Sur quelle chute est chaque feuille, -1 pour aucune</translation>
     </message>
     <message>
         <source>Only one side of this film can be joined so</source>
@@ -709,7 +709,7 @@
     </message>
     <message>
         <source>The machine that finds the print again by its registration marks; empty has crosses for the eye</source>
-        <translation type="unfinished"></translation>
+        <translation>La machine qui retrouve l'impression par ses repères ; vide donne des croix pour l'œil</translation>
     </message>
     <message>
         <source>The outline whose drawing this one shares; empty: its own</source>
@@ -1092,7 +1092,7 @@
     </message>
     <message>
         <source>'{0}' cannot be the name of a machine: take up to 40 letters, digits, spaces and - only.</source>
-        <translation type="unfinished"></translation>
+        <translation>« {0} » ne peut pas être le nom d'une machine : prenez jusqu'à 40 lettres, chiffres, espaces et - seulement.</translation>
     </message>
     <message>
         <source>'{0}' has a column twice.</source>
@@ -1324,7 +1324,7 @@
     </message>
     <message>
         <source>--oversize scale makes the balloon smaller until it fits, --oversize split writes several files between which the film is moved, --oversize write writes the file anyway, --bed tells how large the bed is.</source>
-        <translation type="unfinished"></translation>
+        <translation>--oversize scale réduit le ballon jusqu'à ce qu'il tienne, --oversize split écrit plusieurs fichiers entre lesquels on déplace le film, --oversize write écrit le fichier quand même, --bed dit quelle est la taille du plateau.</translation>
     </message>
     <message>
         <source>--rim is the width of the weld and of the film beside it: give 0 to 1 m.</source>
@@ -1332,7 +1332,7 @@
     </message>
     <message>
         <source>--tabs-below is about tabs: give their width too, such as --tabs 0.4mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>--tabs-below concerne les attaches : donnez aussi leur largeur, par exemple --tabs 0.4mm.</translation>
     </message>
     <message>
         <source>--target-volume and --target-lift decide the size: leave out --width and --height.</source>
@@ -1352,7 +1352,7 @@
     </message>
     <message>
         <source>A GIF needs Pillow: install it with pip install pillow.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un GIF demande Pillow : installez-le par pip install pillow.</translation>
     </message>
     <message>
         <source>A balloon has no "{0}": it has {1}.</source>
@@ -1364,7 +1364,7 @@
     </message>
     <message>
         <source>A bar is stated to weld {0} at {1}, this tool has {2}: peel a test card before you rely on it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Selon sa source, une barre soude {0} à {1}, cet outil est à {2} : pelez une carte d'essai avant de vous y fier.</translation>
     </message>
     <message>
         <source>A bed is that of a machine: give --machine too.</source>
@@ -1376,7 +1376,7 @@
     </message>
     <message>
         <source>A bed of {0} is too small to lay so much film on anew: give a larger one, or make the balloon smaller.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un plateau de {0} est trop petit pour reposer autant de film : donnez-en un plus grand, ou réduisez le ballon.</translation>
     </message>
     <message>
         <source>A body cannot be made of {0} gores. Take {1} to {2}.</source>
@@ -1416,15 +1416,15 @@
     </message>
     <message>
         <source>A film of this name is there already</source>
-        <translation type="unfinished"></translation>
+        <translation>Un film de ce nom existe déjà</translation>
     </message>
     <message>
         <source>A film of your own beside the balloon's, with what was found; it changes no pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>Un film à vous à côté de celui du ballon, avec ce qui a été trouvé ; aucun patron ne change</translation>
     </message>
     <message>
         <source>A fitted film is kept beside the numbers of a known one: choose the balloon's film in its panel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un film ajusté est gardé à côté des nombres d'un film connu : choisissez le film du ballon dans son panneau.</translation>
     </message>
     <message>
         <source>A fitted film is written beside the numbers of a known one: give it by --material.</source>
@@ -1452,11 +1452,11 @@
     </message>
     <message>
         <source>A hot tip is stated to weld {0} at {1}, this tool has {2}: peel a test card before you rely on it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Selon sa source, une pointe chaude soude {0} à {1}, cet outil est à {2} : pelez une carte d'essai avant de vous y fier.</translation>
     </message>
     <message>
         <source>A known length, in pixels of the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Une longueur connue, en pixels de l'image</translation>
     </message>
     <message>
         <source>A label has up to {0} letters, between 0.1 mm and 10 m high: change it.</source>
@@ -1540,7 +1540,7 @@
     </message>
     <message>
         <source>A print is not cut in parts: choose a machine with a larger bed than {0}, or make the balloon smaller.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une impression ne se coupe pas en parties : choisissez une machine dont le plateau dépasse {0}, ou réduisez le ballon.</translation>
     </message>
     <message>
         <source>A process beside this one does not start: {0}</source>
@@ -1552,7 +1552,7 @@
     </message>
     <message>
         <source>A remnant is left of a layout: give --nest too, such as --nest 500mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une chute reste d'une disposition : donnez aussi --nest, par exemple --nest 500mm.</translation>
     </message>
     <message>
         <source>A script needs to know how many shards it has: give --shards a number.</source>
@@ -1580,7 +1580,7 @@
     </message>
     <message>
         <source>A separating layer of PTFE gives off poisonous fumes above {0}, and baking paper chars above {1}: weld slower at a lower temperature, and air the room.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une couche de PTFE dégage des fumées toxiques au-dessus de {0}, et le papier cuisson charbonne au-dessus de {1} : soudez plus lentement à une température plus basse, et aérez la pièce.</translation>
     </message>
     <message>
         <source>A setting is tried with up to twelve values, each once.</source>
@@ -1616,7 +1616,7 @@
     </message>
     <message>
         <source>A tab must be {0} to {1} wide, not {2}; 0 makes none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une attache doit avoir de {0} à {1} de large, pas {2} ; 0 n'en fait aucune.</translation>
     </message>
     <message>
         <source>A test card is for a machine, in a folder: give --machine and --out.</source>
@@ -1628,7 +1628,7 @@
     </message>
     <message>
         <source>A tool has no "{0}": choose one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un outil n'a pas de « {0} » : choisissez parmi {1}.</translation>
     </message>
     <message>
         <source>A tool is that of a machine that reads G-code: give --machine gcode-grbl or another.</source>
@@ -1788,7 +1788,7 @@
     </message>
     <message>
         <source>Any size</source>
-        <translation type="unfinished"></translation>
+        <translation>Toute taille</translation>
     </message>
     <message>
         <source>Apply</source>
@@ -1812,11 +1812,11 @@
     </message>
     <message>
         <source>As Summa with OPOS, and the bar between the lower squares shows the cutter whether the print is bent. Feed the sheet with the bar first. The layer Regmark is not cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>Comme Summa avec OPOS, et la barre entre les carrés du bas montre au plotter si l'impression est courbée. Engagez la feuille la barre en avant. Le calque Regmark n'est pas coupé.</translation>
     </message>
     <message>
         <source>As made</source>
-        <translation type="unfinished"></translation>
+        <translation>Tel que fabriqué</translation>
     </message>
     <message>
         <source>As made over what was expected</source>
@@ -1908,7 +1908,7 @@
     </message>
     <message>
         <source>Bar of 100 mm to measure</source>
-        <translation type="unfinished"></translation>
+        <translation>Barre de 100 mm à mesurer</translation>
     </message>
     <message>
         <source>Bed</source>
@@ -1924,11 +1924,11 @@
     </message>
     <message>
         <source>Beside the pattern, to see whether the size was kept</source>
-        <translation type="unfinished"></translation>
+        <translation>À côté du patron, pour voir si la taille a été gardée</translation>
     </message>
     <message>
         <source>Best field</source>
-        <translation type="unfinished"></translation>
+        <translation>Meilleur champ</translation>
     </message>
     <message>
         <source>Best of {0} balloons: {1}, with {2}.</source>
@@ -2008,7 +2008,7 @@
     </message>
     <message>
         <source>Card</source>
-        <translation type="unfinished"></translation>
+        <translation>Carte</translation>
     </message>
     <message>
         <source>Charts</source>
@@ -2056,7 +2056,7 @@
     </message>
     <message>
         <source>Choose a photograph first: a PNG, JPEG or BMP file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Choisissez d'abord une photo : un fichier PNG, JPEG ou BMP.</translation>
     </message>
     <message>
         <source>Choose a picture</source>
@@ -2068,7 +2068,7 @@
     </message>
     <message>
         <source>Choose a remnant</source>
-        <translation type="unfinished"></translation>
+        <translation>Choisir une chute</translation>
     </message>
     <message>
         <source>Choose a row first.</source>
@@ -2084,7 +2084,7 @@
     </message>
     <message>
         <source>Choose a test card</source>
-        <translation type="unfinished"></translation>
+        <translation>Choisir une carte d'essai</translation>
     </message>
     <message>
         <source>Choose sketches, a file or a ready body.</source>
@@ -2116,15 +2116,15 @@
     </message>
     <message>
         <source>Click both ends of a length that you know; a third click moves the nearer mark.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cliquez les deux bouts d'une longueur que vous connaissez ; un troisième clic déplace la marque la plus proche.</translation>
     </message>
     <message>
         <source>Click both ends of a ruler in the picture, or of another known length</source>
-        <translation type="unfinished"></translation>
+        <translation>Cliquer les deux bouts d'une règle dans l'image, ou d'une autre longueur connue</translation>
     </message>
     <message>
         <source>Click to see it larger</source>
-        <translation type="unfinished"></translation>
+        <translation>Cliquer pour la voir en plus grand</translation>
     </message>
     <message>
         <source>Click two places: a seam runs between them</source>
@@ -2140,7 +2140,7 @@
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>Fermer</translation>
     </message>
     <message>
         <source>Close the open task panel first.</source>
@@ -2156,19 +2156,19 @@
     </message>
     <message>
         <source>Compare</source>
-        <translation type="unfinished"></translation>
+        <translation>Comparer</translation>
     </message>
     <message>
         <source>Compare with a photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>Comparer à une photo</translation>
     </message>
     <message>
         <source>Comparing with the photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>Comparaison à la photo</translation>
     </message>
     <message>
         <source>Comparing…</source>
-        <translation type="unfinished"></translation>
+        <translation>Comparaison…</translation>
     </message>
     <message>
         <source>Coordinates really are inches, and the header says so.</source>
@@ -2180,7 +2180,7 @@
     </message>
     <message>
         <source>Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Copier</translation>
     </message>
     <message>
         <source>Corner relief</source>
@@ -2192,7 +2192,7 @@
     </message>
     <message>
         <source>Crosses, by eye</source>
-        <translation type="unfinished"></translation>
+        <translation>Croix, à l'œil</translation>
     </message>
     <message>
         <source>Crumpled</source>
@@ -2236,7 +2236,7 @@
     </message>
     <message>
         <source>Cuts without room for two tabs of {0} on a straight: {1}, the first near {2}. What they go round comes free.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coupes sans place pour deux attaches de {0} sur une droite : {1}, la première près de {2}. Ce qu'elles entourent se détache.</translation>
     </message>
     <message>
         <source>Cutting shop (DXF R12)</source>
@@ -2256,19 +2256,19 @@
     </message>
     <message>
         <source>Delete</source>
-        <translation type="unfinished"></translation>
+        <translation>Supprimer</translation>
     </message>
     <message>
         <source>Delete it</source>
-        <translation type="unfinished"></translation>
+        <translation>Supprimer</translation>
     </message>
     <message>
         <source>Delete {}? Its file goes for good.</source>
-        <translation type="unfinished"></translation>
+        <translation>Supprimer {} ? Son fichier disparaît pour de bon.</translation>
     </message>
     <message>
         <source>Depth</source>
-        <translation type="unfinished"></translation>
+        <translation>Profondeur</translation>
     </message>
     <message>
         <source>Diameter {}, height {}, gores {} long</source>
@@ -2296,7 +2296,7 @@
     </message>
     <message>
         <source>Done</source>
-        <translation type="unfinished"></translation>
+        <translation>Terminé</translation>
     </message>
     <message>
         <source>Dots per inch</source>
@@ -2360,7 +2360,7 @@
     </message>
     <message>
         <source>Dwell</source>
-        <translation type="unfinished"></translation>
+        <translation>Temporisation</translation>
     </message>
     <message>
         <source>E across the grain</source>
@@ -2440,7 +2440,7 @@
     </message>
     <message>
         <source>Export begins with it</source>
-        <translation type="unfinished"></translation>
+        <translation>L'export commence par elle</translation>
     </message>
     <message>
         <source>Export pattern</source>
@@ -2448,7 +2448,7 @@
     </message>
     <message>
         <source>Export pattern begins with this machine; it is a preference</source>
-        <translation type="unfinished"></translation>
+        <translation>« Exporter le patron » commence par cette machine ; c'est une préférence</translation>
     </message>
     <message>
         <source>Expression</source>
@@ -2472,11 +2472,11 @@
     </message>
     <message>
         <source>Feed</source>
-        <translation type="unfinished"></translation>
+        <translation>Avance</translation>
     </message>
     <message>
         <source>Feed in corners</source>
-        <translation type="unfinished"></translation>
+        <translation>Avance dans les coins</translation>
     </message>
     <message>
         <source>Fetch</source>
@@ -2508,7 +2508,7 @@
     </message>
     <message>
         <source>Fields: {}, on {} of film</source>
-        <translation type="unfinished"></translation>
+        <translation>Champs : {}, sur {} de film</translation>
     </message>
     <message>
         <source>File</source>
@@ -2528,15 +2528,15 @@
     </message>
     <message>
         <source>Fill at the nozzle, to at most {column} of water.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gonflez par la buse, à {column} d'eau au plus.</translation>
     </message>
     <message>
         <source>Fill through a straw in the neck, to at most {column} of water.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gonflez par une paille dans le col, à {column} d'eau au plus.</translation>
     </message>
     <message>
         <source>Fill through a tube of 6 mm, its end cut aslant, pushed 25 mm past the seal across the neck, to at most {column} of water. Pull it out: the strips close by themselves.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gonflez par un tube de 6 mm, au bout coupé en biais, poussé 25 mm au-delà de la soudure en travers du col, à {column} d'eau au plus. Retirez-le : les bandes se ferment d'elles-mêmes.</translation>
     </message>
     <message>
         <source>Fill through a tube of 6 mm, its end cut aslant, pushed 25 mm past the weld across the neck. Pull it out: the pressure presses the strips together.</source>
@@ -2612,7 +2612,7 @@
     </message>
     <message>
         <source>Find how much the film stretched, and how far the weld draws the seam inward</source>
-        <translation type="unfinished"></translation>
+        <translation>Trouver de combien le film s'est étiré, et de combien la soudure tire la couture vers l'intérieur</translation>
     </message>
     <message>
         <source>Find its place</source>
@@ -2620,7 +2620,7 @@
     </message>
     <message>
         <source>Fit the film, too</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajuster aussi le film</translation>
     </message>
     <message>
         <source>Fit to drawing</source>
@@ -2652,11 +2652,11 @@
     </message>
     <message>
         <source>For Send to Silhouette of inkscape-silhouette. The marks of a print lie on the layer Regmarks, which is not cut, 10 mm from the edges of A4 and 190 and 277 mm apart: give that there. Nothing is cut outside them. For other paper change page_mm in a copy.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pour Send to Silhouette d'inkscape-silhouette. Les repères d'une impression sont sur le calque Regmarks, qui n'est pas coupé, à 10 mm des bords d'une A4 et à 190 et 277 mm l'un de l'autre : indiquez-le là-bas. Rien n'est coupé en dehors d'eux. Pour un autre papier, changez page_mm dans une copie.</translation>
     </message>
     <message>
         <source>For {0} of {1} pieces there is no room on the remnant: give film for the rest too.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pour {0} pièces sur {1}, il n'y a pas de place sur la chute : donnez aussi du film pour le reste.</translation>
     </message>
     <message>
         <source>For {0} the drawing would be {1} large: choose a volume that makes it {2} to {3}.</source>
@@ -2764,7 +2764,7 @@
     </message>
     <message>
         <source>Give one or two settings several values, such as 200, 300, 400, and each of the others one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Donnez plusieurs valeurs à un ou deux réglages, par exemple 200, 300, 400, et une seule à chacun des autres.</translation>
     </message>
     <message>
         <source>Give the document the values of the chosen row</source>
@@ -2824,7 +2824,7 @@
     </message>
     <message>
         <source>Graphtec with ARMS (vinyl cutter)</source>
-        <translation type="unfinished"></translation>
+        <translation>Graphtec avec ARMS (plotter de découpe)</translation>
     </message>
     <message>
         <source>Green</source>
@@ -2860,7 +2860,7 @@
     </message>
     <message>
         <source>Height between two lines; empty: 5 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Hauteur entre deux lignes ; vide : 5 mm</translation>
     </message>
     <message>
         <source>Helium</source>
@@ -2892,11 +2892,11 @@
     </message>
     <message>
         <source>Hot tip</source>
-        <translation type="unfinished"></translation>
+        <translation>Pointe chaude</translation>
     </message>
     <message>
         <source>Hot wheel</source>
-        <translation type="unfinished"></translation>
+        <translation>Roue chaude</translation>
     </message>
     <message>
         <source>Hours of welding, where they are known</source>
@@ -2908,15 +2908,15 @@
     </message>
     <message>
         <source>How far a closed cut runs past its start; empty: six times the knife's offset</source>
-        <translation type="unfinished"></translation>
+        <translation>De combien une coupe fermée dépasse son départ ; vide : six fois le décalage de la lame</translation>
     </message>
     <message>
         <source>How far a closed weld runs past its start, so that the joint is tight</source>
-        <translation type="unfinished"></translation>
+        <translation>De combien une soudure fermée dépasse son départ, pour que le raccord soit étanche</translation>
     </message>
     <message>
         <source>How far a swivel knife or wheel lies behind its axis; 0 where the machine makes up for it</source>
-        <translation type="unfinished"></translation>
+        <translation>De combien une lame pivotante ou une roue est en arrière de son axe ; 0 si la machine le compense</translation>
     </message>
     <message>
         <source>How far along it</source>
@@ -2928,7 +2928,7 @@
     </message>
     <message>
         <source>How far below the place where it touches the film it works: it presses so hard, or cuts so deep; of a laser its focus. Empty: not known yet</source>
-        <translation type="unfinished"></translation>
+        <translation>De combien il travaille plus bas que l'endroit où il touche le film : c'est sa pression, ou sa profondeur de coupe ; pour un laser, son foyer. Vide : pas encore connu</translation>
     </message>
     <message>
         <source>How far the balloon may be from the body on average, of the body's diagonal</source>
@@ -2940,19 +2940,19 @@
     </message>
     <message>
         <source>How far weld and film reach beyond the seam in the photograph; empty: as in the pattern, 0: folded back</source>
-        <translation type="unfinished"></translation>
+        <translation>De combien la soudure et le film dépassent la couture sur la photo ; vide : comme dans le patron, 0 : replié en arrière</translation>
     </message>
     <message>
         <source>How fast it goes along a line; empty: not known yet</source>
-        <translation type="unfinished"></translation>
+        <translation>À quelle vitesse il suit une ligne ; vide : pas encore connu</translation>
     </message>
     <message>
         <source>How long a way from waste film to a weld may be; 0 for none</source>
-        <translation type="unfinished"></translation>
+        <translation>Longueur que peut avoir un trajet depuis le film perdu jusqu'à une soudure ; 0 : aucun</translation>
     </message>
     <message>
         <source>How long it waits before it moves along a line: film warms, a beam burns in, a spindle starts</source>
-        <translation type="unfinished"></translation>
+        <translation>Combien de temps il attend avant de suivre une ligne : le film chauffe, un faisceau perce, une broche démarre</translation>
     </message>
     <message>
         <source>How wide shall it be?</source>
@@ -3036,7 +3036,7 @@
     </message>
     <message>
         <source>It came with the workbench: copy it to set it up as your own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Elle est fournie avec l'atelier : copiez-la pour en faire la vôtre.</translation>
     </message>
     <message>
         <source>It holds {} of the air that a round balloon of as much film would.</source>
@@ -3120,15 +3120,15 @@
     </message>
     <message>
         <source>Keep it</source>
-        <translation type="unfinished"></translation>
+        <translation>Garder</translation>
     </message>
     <message>
         <source>Keep the best</source>
-        <translation type="unfinished"></translation>
+        <translation>Garder le meilleur</translation>
     </message>
     <message>
         <source>Keep the film</source>
-        <translation type="unfinished"></translation>
+        <translation>Garder le film</translation>
     </message>
     <message>
         <source>Keep the proportions</source>
@@ -3136,11 +3136,11 @@
     </message>
     <message>
         <source>Kept, and offered by Export pattern: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Gardée, et proposée par « Exporter le patron » : {}</translation>
     </message>
     <message>
         <source>Kerf</source>
-        <translation type="unfinished"></translation>
+        <translation>Trait de coupe</translation>
     </message>
     <message>
         <source>Kind</source>
@@ -3148,11 +3148,11 @@
     </message>
     <message>
         <source>Knife</source>
-        <translation type="unfinished"></translation>
+        <translation>Lame</translation>
     </message>
     <message>
         <source>Knife offset</source>
-        <translation type="unfinished"></translation>
+        <translation>Décalage de lame</translation>
     </message>
     <message>
         <source>Kraft paper, 80 g/m²</source>
@@ -3184,7 +3184,7 @@
     </message>
     <message>
         <source>Laser</source>
-        <translation type="unfinished"></translation>
+        <translation>Laser</translation>
     </message>
     <message>
         <source>Lay a picture under the paper for tracing; press again to take it away</source>
@@ -3236,19 +3236,19 @@
     </message>
     <message>
         <source>Lead-in</source>
-        <translation type="unfinished"></translation>
+        <translation>Entrée</translation>
     </message>
     <message>
         <source>Leak test: fill with air through a tube in the neck, closed round it by hand or with tape, to at most {column} of water in a hose. Wait 15 min, brush soapy water along the seams. Mark with a pen where bubbles grow, let the air out, dry it, seal there once more, test again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Essai d'étanchéité : gonflez à l'air par un tube dans le col, fermé autour à la main ou au ruban adhésif, à {column} d'eau au plus dans un tuyau. Attendez 15 min, passez de l'eau savonneuse le long des coutures. Marquez au stylo où grossissent des bulles, videz l'air, séchez, ressoudez là, refaites l'essai.</translation>
     </message>
     <message>
         <source>Leak test: fill with air to at most {column} of water in a hose. Wait 15 min, brush soapy water along the seams. Mark with a pen where bubbles grow, let the air out, dry it, seal there once more, test again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Essai d'étanchéité : gonflez à l'air à {column} d'eau au plus dans un tuyau. Attendez 15 min, passez de l'eau savonneuse le long des coutures. Marquez au stylo où grossissent des bulles, videz l'air, séchez, ressoudez là, refaites l'essai.</translation>
     </message>
     <message>
         <source>Leave tabs so wide in the cuts, such as 0.4 mm, on straights, two or more on each and one in 100 mm, so that pieces stay in the film. It is kept for this machine</source>
-        <translation type="unfinished"></translation>
+        <translation>Laisser dans les coupes des attaches de cette largeur, par exemple 0.4 mm, sur les droites, deux ou plus sur chacune et une tous les 100 mm, pour que les pièces restent dans le film. C'est gardé pour cette machine</translation>
     </message>
     <message>
         <source>Left out: {0}</source>
@@ -3284,7 +3284,7 @@
     </message>
     <message>
         <source>Letters, digits, spaces and - only</source>
-        <translation type="unfinished"></translation>
+        <translation>Lettres, chiffres, espaces et - seulement</translation>
     </message>
     <message>
         <source>Lift</source>
@@ -3368,11 +3368,11 @@
     </message>
     <message>
         <source>Make a card</source>
-        <translation type="unfinished"></translation>
+        <translation>Faire une carte</translation>
     </message>
     <message>
         <source>Make a machine of your own with the values of this one</source>
-        <translation type="unfinished"></translation>
+        <translation>Faire une machine à vous avec les valeurs de celle-ci</translation>
     </message>
     <message>
         <source>Make a sketch of the cuts</source>
@@ -3380,7 +3380,7 @@
     </message>
     <message>
         <source>Make a test card: nobody states a temperature for this film.</source>
-        <translation type="unfinished"></translation>
+        <translation>Faites une carte d'essai : personne n'indique de température pour ce film.</translation>
     </message>
     <message>
         <source>Make it!</source>
@@ -3400,15 +3400,15 @@
     </message>
     <message>
         <source>Mark a length</source>
-        <translation type="unfinished"></translation>
+        <translation>Marquer une longueur</translation>
     </message>
     <message>
         <source>Mark a length in the picture, and give its true length, such as 300 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Marquez une longueur dans l'image, et donnez sa vraie longueur, par exemple 300 mm.</translation>
     </message>
     <message>
         <source>Mark a length…</source>
-        <translation type="unfinished"></translation>
+        <translation>Marquer une longueur…</translation>
     </message>
     <message>
         <source>Marks</source>
@@ -3416,7 +3416,7 @@
     </message>
     <message>
         <source>Marks for</source>
-        <translation type="unfinished"></translation>
+        <translation>Repères pour</translation>
     </message>
     <message>
         <source>Marlin printer (G-code)</source>
@@ -3460,7 +3460,7 @@
     </message>
     <message>
         <source>Mimaki with register marks (vinyl cutter)</source>
-        <translation type="unfinished"></translation>
+        <translation>Mimaki avec repères (plotter de découpe)</translation>
     </message>
     <message>
         <source>Mind</source>
@@ -3492,19 +3492,19 @@
     </message>
     <message>
         <source>My machines</source>
-        <translation type="unfinished"></translation>
+        <translation>Mes machines</translation>
     </message>
     <message>
         <source>My {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Ma {}</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Nom</translation>
     </message>
     <message>
         <source>Name of the machine</source>
-        <translation type="unfinished"></translation>
+        <translation>Nom de la machine</translation>
     </message>
     <message>
         <source>Native</source>
@@ -3676,15 +3676,15 @@
     </message>
     <message>
         <source>Nobody but you knows the {0} of your {1} for this film: fill in My machines in FreeCAD, or give {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vous seul connaissez cette valeur de votre {1} pour ce film : {0}. Remplissez « Mes machines » dans FreeCAD, ou donnez {2}.</translation>
     </message>
     <message>
         <source>Nobody but you knows this: {}. Give one value, or several to try.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vous seul le savez : {}. Donnez une valeur, ou plusieurs à essayer.</translation>
     </message>
     <message>
         <source>Nobody states a temperature for this film. Make a test card: weld strips with several temperatures and times, peel them, keep the best.</source>
-        <translation type="unfinished"></translation>
+        <translation>Personne n'indique de température pour ce film. Faites une carte d'essai : soudez des bandes à plusieurs températures et durées, pelez-les, gardez la meilleure.</translation>
     </message>
     <message>
         <source>None</source>
@@ -3720,7 +3720,7 @@
     </message>
     <message>
         <source>Note</source>
-        <translation type="unfinished"></translation>
+        <translation>Note</translation>
     </message>
     <message>
         <source>Note: {0}</source>
@@ -3792,11 +3792,11 @@
     </message>
     <message>
         <source>Of the film of {0} nothing is left that is large enough to be used again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Du film de {0}, il ne reste rien d'assez grand pour resservir.</translation>
     </message>
     <message>
         <source>Of the tip or wheel, 40 to 400 °C. Above 260 °C a layer of PTFE gives off poisonous fumes</source>
-        <translation type="unfinished"></translation>
+        <translation>De la pointe ou de la roue, de 40 à 400 °C. Au-dessus de 260 °C, une couche de PTFE dégage des fumées toxiques</translation>
     </message>
     <message>
         <source>Off</source>
@@ -3872,7 +3872,7 @@
     </message>
     <message>
         <source>Only balloons of two equal panels are compared with a photograph: compare the panels of others one by one, with the command compare and its --flat.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seuls les ballons de deux panneaux égaux se comparent à une photo : comparez les panneaux des autres un par un, par la commande compare et son --flat.</translation>
     </message>
     <message>
         <source>Only grades of this film with a sealing layer weld: try scraps before you cut.</source>
@@ -3880,7 +3880,7 @@
     </message>
     <message>
         <source>Only pieces that are no larger than this either way get tabs, such as 50 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Seules les pièces qui ne dépassent cela dans aucun sens reçoivent des attaches, par exemple 50 mm</translation>
     </message>
     <message>
         <source>Only the middle of the weld. A closed weld runs past its start, so that the joint is tight.</source>
@@ -3888,7 +3888,7 @@
     </message>
     <message>
         <source>Only the shape is compared, at the size that fits best</source>
-        <translation type="unfinished"></translation>
+        <translation>Seule la forme est comparée, à la taille qui va le mieux</translation>
     </message>
     <message>
         <source>Only {0} of film stay between two cuts near {1}; {2} wants {3}. It may tear or melt there.</source>
@@ -3932,7 +3932,7 @@
     </message>
     <message>
         <source>Overcut</source>
-        <translation type="unfinished"></translation>
+        <translation>Surcoupe</translation>
     </message>
     <message>
         <source>PDF files, previews and labels need it; DXF, SVG and HPGL can be written.</source>
@@ -3940,7 +3940,7 @@
     </message>
     <message>
         <source>PNG, JPEG or BMP</source>
-        <translation type="unfinished"></translation>
+        <translation>PNG, JPEG ou BMP</translation>
     </message>
     <message>
         <source>Pa, its own range</source>
@@ -4152,7 +4152,7 @@
     </message>
     <message>
         <source>Photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>Photo</translation>
     </message>
     <message>
         <source>Pick an edge to see its partner.</source>
@@ -4188,7 +4188,7 @@
     </message>
     <message>
         <source>Pictures of the work</source>
-        <translation type="unfinished"></translation>
+        <translation>Le travail en images</translation>
     </message>
     <message>
         <source>Pieces of the side band cannot be {0} long. Give 0 or more.</source>
@@ -4204,7 +4204,7 @@
     </message>
     <message>
         <source>Pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>Pixels</translation>
     </message>
     <message>
         <source>Place</source>
@@ -4284,7 +4284,7 @@
     </message>
     <message>
         <source>Power</source>
-        <translation type="unfinished"></translation>
+        <translation>Puissance</translation>
     </message>
     <message>
         <source>Predicted from the outline; not inflated yet.</source>
@@ -4320,7 +4320,7 @@
     </message>
     <message>
         <source>Print shop (PDF with CutContour)</source>
-        <translation type="unfinished"></translation>
+        <translation>Imprimeur (PDF avec CutContour)</translation>
     </message>
     <message>
         <source>Print {0} at {1} dpi, all panels</source>
@@ -4344,7 +4344,7 @@
     </message>
     <message>
         <source>Pull the straw out and seal straight across the neck, beside the balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>Retirez la paille et soudez droit en travers du col, près du ballon.</translation>
     </message>
     <message>
         <source>Push a straw in, fill, pull it out and close the neck like the seam, straight across beside the balloon.</source>
@@ -4380,7 +4380,7 @@
     </message>
     <message>
         <source>Reads</source>
-        <translation type="unfinished"></translation>
+        <translation>Fichiers lus</translation>
     </message>
     <message>
         <source>Ready body</source>
@@ -4404,11 +4404,11 @@
     </message>
     <message>
         <source>Remnant</source>
-        <translation type="unfinished"></translation>
+        <translation>Chute</translation>
     </message>
     <message>
         <source>Remnants</source>
-        <translation type="unfinished"></translation>
+        <translation>Chutes</translation>
     </message>
     <message>
         <source>Repair</source>
@@ -4420,7 +4420,7 @@
     </message>
     <message>
         <source>Replace it</source>
-        <translation type="unfinished"></translation>
+        <translation>Remplacer</translation>
     </message>
     <message>
         <source>Replace the file</source>
@@ -4428,7 +4428,7 @@
     </message>
     <message>
         <source>Replace the files</source>
-        <translation type="unfinished"></translation>
+        <translation>Remplacer les fichiers</translation>
     </message>
     <message>
         <source>Result</source>
@@ -4448,7 +4448,7 @@
     </message>
     <message>
         <source>Rim</source>
-        <translation type="unfinished"></translation>
+        <translation>Rebord</translation>
     </message>
     <message>
         <source>Ring</source>
@@ -4464,15 +4464,15 @@
     </message>
     <message>
         <source>Roland with crop marks (vinyl cutter)</source>
-        <translation type="unfinished"></translation>
+        <translation>Roland avec repères de coupe (plotter de découpe)</translation>
     </message>
     <message>
         <source>Round pieces up to</source>
-        <translation type="unfinished"></translation>
+        <translation>Autour des pièces jusqu'à</translation>
     </message>
     <message>
         <source>Round the print the marks span</source>
-        <translation type="unfinished"></translation>
+        <translation>Autour de l'impression, les repères occupent</translation>
     </message>
     <message>
         <source>Round this hole the balloon may kink: with a weld creased to {percent} of its stiffness the outline moves by up to {length}; with one {wanted} wide, creased as much, by {less}.</source>
@@ -4508,7 +4508,7 @@
     </message>
     <message>
         <source>S at full power</source>
-        <translation type="unfinished"></translation>
+        <translation>S à pleine puissance</translation>
     </message>
     <message>
         <source>STL, OBJ, PLY, 3MF or STEP</source>
@@ -4556,7 +4556,7 @@
     </message>
     <message>
         <source>Save files…</source>
-        <translation type="unfinished"></translation>
+        <translation>Enregistrer les fichiers…</translation>
     </message>
     <message>
         <source>Save results</source>
@@ -4592,19 +4592,19 @@
     </message>
     <message>
         <source>Seal across the neck along its line, through panels and strips. The field keeps the channel open.</source>
-        <translation type="unfinished"></translation>
+        <translation>Soudez en travers du col le long de sa ligne, à travers panneaux et bandes. Le champ garde le canal ouvert.</translation>
     </message>
     <message>
         <source>Seal the lines inside.</source>
-        <translation type="unfinished"></translation>
+        <translation>Soudez les lignes intérieures.</translation>
     </message>
     <message>
         <source>Seal the outline, {seal} wide, all but the mouth of the neck.</source>
-        <translation type="unfinished"></translation>
+        <translation>Soudez le contour, sur {seal} de large, sauf l'embouchure du col.</translation>
     </message>
     <message>
         <source>Seal the outline, {seal} wide, all the way round.</source>
-        <translation type="unfinished"></translation>
+        <translation>Soudez le contour, sur {seal} de large, sur tout le tour.</translation>
     </message>
     <message>
         <source>Seal the seams in the order of the pictures along the dashed line, {seal} wide, from end to end.</source>
@@ -4804,7 +4804,7 @@
     </message>
     <message>
         <source>Set up machines of your own</source>
-        <translation type="unfinished"></translation>
+        <translation>Régler vos propres machines</translation>
     </message>
     <message>
         <source>Shadows on the background were taken off.</source>
@@ -4816,11 +4816,11 @@
     </message>
     <message>
         <source>Share of the feed near corners and in narrow bends</source>
-        <translation type="unfinished"></translation>
+        <translation>Part de l'avance près des coins et dans les courbes serrées</translation>
     </message>
     <message>
         <source>Share of the laser's full power; empty: not known yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Part de la pleine puissance du laser ; vide : pas encore connue</translation>
     </message>
     <message>
         <source>Sheet length</source>
@@ -4876,7 +4876,7 @@
     </message>
     <message>
         <source>Silhouette from Inkscape</source>
-        <translation type="unfinished"></translation>
+        <translation>Silhouette depuis Inkscape</translation>
     </message>
     <message>
         <source>Silhouette off the drawing</source>
@@ -4904,7 +4904,7 @@
     </message>
     <message>
         <source>Size unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>Taille inconnue</translation>
     </message>
     <message>
         <source>So far it is a line. Close it, or paint an area, and it becomes a balloon.</source>
@@ -4932,15 +4932,15 @@
     </message>
     <message>
         <source>Spindle</source>
-        <translation type="unfinished"></translation>
+        <translation>Broche</translation>
     </message>
     <message>
         <source>Split over beds</source>
-        <translation type="unfinished"></translation>
+        <translation>Répartir sur plateaux</translation>
     </message>
     <message>
         <source>Split over beds of {0}, the pattern leaves no waste film for two crosses {1} apart by which it is laid on anew: choose a larger bed, or lay the pieces out on sheets.</source>
-        <translation type="unfinished"></translation>
+        <translation>Réparti sur des plateaux de {0}, le patron ne laisse pas de film perdu pour deux croix à {1} l'une de l'autre par lesquelles reposer le film : choisissez un plateau plus grand, ou disposez les pièces sur des feuilles.</translation>
     </message>
     <message>
         <source>Spot in 16 panels</source>
@@ -4948,15 +4948,15 @@
     </message>
     <message>
         <source>Start values for welding: {0} ({1}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Valeurs de départ pour la soudure : {0} ({1}).</translation>
     </message>
     <message>
         <source>Start values, not tried on your film and tool: {start_values} ({start_sources}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Valeurs de départ, non essayées sur votre film et votre outil : {start_values} ({start_sources}).</translation>
     </message>
     <message>
         <source>Stated is: {0} ({1}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce qui est indiqué : {0} ({1}).</translation>
     </message>
     <message>
         <source>Steps</source>
@@ -4988,7 +4988,7 @@
     </message>
     <message>
         <source>Straight from the front, from far away, on a plain background of another colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Bien de face, de loin, sur un fond uni d'une autre couleur</translation>
     </message>
     <message>
         <source>Straw neck</source>
@@ -5016,15 +5016,15 @@
     </message>
     <message>
         <source>Such as Tip for PE</source>
-        <translation type="unfinished"></translation>
+        <translation>Par exemple Pointe pour PE</translation>
     </message>
     <message>
         <source>Summa with OPOS (vinyl cutter)</source>
-        <translation type="unfinished"></translation>
+        <translation>Summa avec OPOS (plotter de découpe)</translation>
     </message>
     <message>
         <source>Summa with OPOS XY (vinyl cutter)</source>
-        <translation type="unfinished"></translation>
+        <translation>Summa avec OPOS XY (plotter de découpe)</translation>
     </message>
     <message>
         <source>Symmetry</source>
@@ -5040,11 +5040,11 @@
     </message>
     <message>
         <source>Tabs</source>
-        <translation type="unfinished"></translation>
+        <translation>Attaches</translation>
     </message>
     <message>
         <source>Tabs are left by a machine that cuts: give --machine too, and one that does.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les attaches sont laissées par une machine qui coupe : donnez aussi --machine, et une qui le fait.</translation>
     </message>
     <message>
         <source>Tacked to one panel</source>
@@ -5116,7 +5116,7 @@
     </message>
     <message>
         <source>Temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>Température</translation>
     </message>
     <message>
         <source>Temperatures need scipy: install it with pip install scipy.</source>
@@ -5128,15 +5128,15 @@
     </message>
     <message>
         <source>Test card</source>
-        <translation type="unfinished"></translation>
+        <translation>Carte d'essai</translation>
     </message>
     <message>
         <source>Test card written to {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Carte d'essai écrite dans {}</translation>
     </message>
     <message>
         <source>Test cards</source>
-        <translation type="unfinished"></translation>
+        <translation>Cartes d'essai</translation>
     </message>
     <message>
         <source>That of the front</source>
@@ -5376,7 +5376,7 @@
     </message>
     <message>
         <source>The bar of {0} does not fit between marks that are {1} apart: make the balloon larger, or print several beside each other.</source>
-        <translation type="unfinished"></translation>
+        <translation>La barre de {0} ne tient pas entre des repères distants de {1} : agrandissez le ballon, ou imprimez-en plusieurs côte à côte.</translation>
     </message>
     <message>
         <source>The bending floor must be between 0 and 1, not {0}. Usual is {1}.</source>
@@ -5424,7 +5424,7 @@
     </message>
     <message>
         <source>The camera finds the dots round a print, on the layer Register; the fifth tells how the sheet lies. The layer Register is not cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>La caméra trouve les points autour d'une impression, sur le calque Register ; le cinquième dit comment la feuille est posée. Le calque Register n'est pas coupé.</translation>
     </message>
     <message>
         <source>The caps are too large for the ball. Choose a smaller diameter for them.</source>
@@ -5448,11 +5448,11 @@
     </message>
     <message>
         <source>The cutter finds the four discs round a print itself. VersaWorks prints discs of its own: give it the PDF for print and cut instead. The layer REGISTRATION is not cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le plotter trouve lui-même les quatre disques autour d'une impression. VersaWorks imprime ses propres disques : donnez-lui plutôt le PDF d'impression et de découpe. Le calque REGISTRATION n'est pas coupé.</translation>
     </message>
     <message>
         <source>The cutter finds the squares at both sides of a print itself, on the layer Regmark, which is not cut. Set their size of 3 mm and their distances there, where its program does not read them. Feed the sheet with its lower edge first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le plotter trouve lui-même les carrés des deux côtés d'une impression, sur le calque Regmark, qui n'est pas coupé. Réglez-y leur taille de 3 mm et leurs distances si son programme ne les lit pas. Engagez la feuille par son bord inférieur.</translation>
     </message>
     <message>
         <source>The drawing cannot be reached everywhere: the silhouette is up to {} off it.</source>
@@ -5580,11 +5580,11 @@
     </message>
     <message>
         <source>The file of what is left of another layout: pieces are laid inside it first</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier de ce qui reste d'une autre disposition : les pièces y sont posées d'abord</translation>
     </message>
     <message>
         <source>The file test-card.json that was written with the card</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier test-card.json qui a été écrit avec la carte</translation>
     </message>
     <message>
         <source>The file {0} is of no use: {1}. Install it anew.</source>
@@ -5592,7 +5592,7 @@
     </message>
     <message>
         <source>The files that it, or its program, opens</source>
-        <translation type="unfinished"></translation>
+        <translation>Les fichiers qu'elle, ou son programme, ouvre</translation>
     </message>
     <message>
         <source>The film '{0}' has no mass. Give its areal density.</source>
@@ -5660,7 +5660,7 @@
     </message>
     <message>
         <source>The free edition opens DXF, not SVG. Choose "as is" for the size in the import preferences. Silhouette adds the knife's offset and overcut. Nothing is in the file that may not be cut. Studio draws registration marks itself, print them from there; or set page A4, inset 10 mm, length 8.4 mm and thickness 1 mm there and lay the file's marks on them, not to be cut: a print has the same. Nothing is cut outside them.</source>
-        <translation type="unfinished"></translation>
+        <translation>L'édition gratuite ouvre le DXF, pas le SVG. Choisissez « tel quel » pour la taille dans les préférences d'importation. Silhouette ajoute le décalage de la lame et la surcoupe. Rien dans le fichier n'est à ne pas couper. Studio dessine lui-même les repères, imprimez-les de là ; ou réglez-y page A4, retrait 10 mm, longueur 8.4 mm et épaisseur 1 mm, et posez dessus les repères du fichier, sans les couper : une impression a les mêmes. Rien n'est coupé en dehors d'eux.</translation>
     </message>
     <message>
         <source>The goal has {0} combinations to choose from, of which each is tried: list 1 to {1}.</source>
@@ -5828,7 +5828,7 @@
     </message>
     <message>
         <source>The machine that finds the print again by its registration marks, printed round it</source>
-        <translation type="unfinished"></translation>
+        <translation>La machine qui retrouve l'impression par les repères imprimés autour</translation>
     </message>
     <message>
         <source>The mesh has a triangle with a point that is not there. Save it once more.</source>
@@ -5904,7 +5904,7 @@
     </message>
     <message>
         <source>The number that the controller takes for full power: $30 of GRBL</source>
-        <translation type="unfinished"></translation>
+        <translation>Le nombre que la commande prend pour la pleine puissance : $30 de GRBL</translation>
     </message>
     <message>
         <source>The opening is at point {0} of panel '{1}', whose points are 0 to {2}. Choose one of them.</source>
@@ -6044,7 +6044,7 @@
     </message>
     <message>
         <source>The picture, and all figures as JSON</source>
-        <translation type="unfinished"></translation>
+        <translation>L'image, et tous les chiffres en JSON</translation>
     </message>
     <message>
         <source>The pieces of the intake "{0}" are cut from {1}: they have a file of their own, with all of them for each balloon.</source>
@@ -6068,11 +6068,11 @@
     </message>
     <message>
         <source>The plotter finds the marks of a print itself. Set mark type 1 and a size of 10 mm there. The layer REGISTRATION is not cut. The knife's offset belongs into the plotter.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le plotter trouve lui-même les repères d'une impression. Réglez-y le type de repère 1 et une taille de 10 mm. Le calque REGISTRATION n'est pas coupé. Le décalage de la lame se règle dans le plotter.</translation>
     </message>
     <message>
         <source>The plotter finds the marks of a print itself. Set shape 1 and a size of 10 mm there. FineCut takes marks only that it made itself: let it make them in the place of these. The layer REGISTRATION is not cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le plotter trouve lui-même les repères d'une impression. Réglez-y la forme 1 et une taille de 10 mm. FineCut ne prend que les repères qu'il a faits lui-même : laissez-le les faire à la place de ceux-ci. Le calque REGISTRATION n'est pas coupé.</translation>
     </message>
     <message>
         <source>The pressure at the lower end must be 0 or more.</source>
@@ -6092,15 +6092,15 @@
     </message>
     <message>
         <source>The print has {0}, and {1} looks for others: print once more with its marks ({2}).</source>
-        <translation type="unfinished"></translation>
+        <translation>L'impression a {0}, et {1} en cherche d'autres : imprimez à nouveau avec ses repères ({2}).</translation>
     </message>
     <message>
         <source>The print measures</source>
-        <translation type="unfinished"></translation>
+        <translation>L'impression mesure</translation>
     </message>
     <message>
         <source>The print measures {0}, and between the marks of {1} there are {2} on paper of {3}: make the balloon smaller, or give larger paper as page_mm of the marks in a file of your machine.</source>
-        <translation type="unfinished"></translation>
+        <translation>L'impression mesure {0}, et entre les repères de {1} il y a {2} sur un papier de {3} : réduisez le ballon, ou donnez un plus grand papier comme page_mm des repères dans un fichier de votre machine.</translation>
     </message>
     <message>
         <source>The print on film</source>
@@ -6108,7 +6108,7 @@
     </message>
     <message>
         <source>The print reaches into the marks of {0}, or comes nearer than {1}: make the balloon smaller, or give larger paper as page_mm of the marks in a file of your machine.</source>
-        <translation type="unfinished"></translation>
+        <translation>L'impression entre dans les repères de {0}, ou en approche à moins de {1} : réduisez le ballon, ou donnez un plus grand papier comme page_mm des repères dans un fichier de votre machine.</translation>
     </message>
     <message>
         <source>The profile crosses or touches itself at {0}. Draw a simple line.</source>
@@ -6152,15 +6152,15 @@
     </message>
     <message>
         <source>The remnant is of {0} film, and no piece here is cut from that.</source>
-        <translation type="unfinished"></translation>
+        <translation>La chute est en film {0}, et aucune pièce n'y est coupée ici.</translation>
     </message>
     <message>
         <source>The remnant {0} is of no use: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>La chute {0} est inutilisable : {1}</translation>
     </message>
     <message>
         <source>The remnant {0} lacks {1}: add it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il manque {1} à la chute {0} : ajoutez-le.</translation>
     </message>
     <message>
         <source>The repair at {0} no longer fits, {1}: take it back or draw that part anew.</source>
@@ -6172,7 +6172,7 @@
     </message>
     <message>
         <source>The rim is the width of the weld and of the film beside it: give 0 to 1 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le rebord est la largeur de la soudure et du film à côté : donnez de 0 à 1 m.</translation>
     </message>
     <message>
         <source>The row has more cells than there are columns: leave out what is too much.</source>
@@ -6188,7 +6188,7 @@
     </message>
     <message>
         <source>The same length as it is, such as 300 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>La même longueur en vrai, par exemple 300 mm</translation>
     </message>
     <message>
         <source>The scale '{0}' cannot be used: {1}.</source>
@@ -6560,11 +6560,11 @@
     </message>
     <message>
         <source>There is a film {0} already: say that it may be replaced.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il y a déjà un film {0} : dites qu'il peut être remplacé.</translation>
     </message>
     <message>
         <source>There is a machine {0} already: give this one another name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il y a déjà une machine {0} : donnez un autre nom à celle-ci.</translation>
     </message>
     <message>
         <source>There is advice about two equal panels only: of many, the warnings tell.</source>
@@ -6720,7 +6720,7 @@
     </message>
     <message>
         <source>This OpenCV writes no MP4: take --animation gif, or install opencv-python-headless with pip.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cet OpenCV n'écrit pas de MP4 : prenez --animation gif, ou installez opencv-python-headless avec pip.</translation>
     </message>
     <message>
         <source>This Python has no working ctypes module, which SciPy and the native solver need: patterns can be changed and written, but no balloon can be inflated anew. Take another build of FreeCAD or of Python.</source>
@@ -6816,11 +6816,11 @@
     </message>
     <message>
         <source>Tie a ribbon round the neck, and to it a weight heavier than the {lift} that {gas} lifts. No metallic ribbon on foil, never let it fly.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nouez un ruban autour du col, et à ce ruban un poids plus lourd que les {lift} que porte le gaz ({gas}). Pas de ruban métallique sur un film métallisé, et ne le laissez jamais s'envoler.</translation>
     </message>
     <message>
         <source>Tie a ribbon round the neck, to hang it up or to hold it: it does not float.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nouez un ruban autour du col, pour le suspendre ou le tenir : il ne flotte pas.</translation>
     </message>
     <message>
         <source>Tip that stays flat</source>
@@ -6832,15 +6832,15 @@
     </message>
     <message>
         <source>To cut, your settings of {cut_machine}: {cut}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pour couper, vos réglages de {cut_machine} : {cut}.</translation>
     </message>
     <message>
         <source>To let the gas out, cut the seal across the neck off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pour vider le gaz, coupez la soudure en travers du col.</translation>
     </message>
     <message>
         <source>To let the gas out, push a straw in through the neck until it hisses, and press gently. Keep the balloon flat, not folded: it can be filled again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pour vider le gaz, glissez une paille par le col jusqu'à ce que cela siffle, et pressez doucement. Gardez le ballon à plat, non plié : il peut être regonflé.</translation>
     </message>
     <message>
         <source>To this value, with its unit</source>
@@ -6848,7 +6848,7 @@
     </message>
     <message>
         <source>To weld, your settings of {weld_machine}: {weld}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pour souder, vos réglages de {weld_machine} : {weld}.</translation>
     </message>
     <message>
         <source>Tolerances are worked out for two equal panels of one shape: </source>
@@ -6864,7 +6864,7 @@
     </message>
     <message>
         <source>Tool</source>
-        <translation type="unfinished"></translation>
+        <translation>Outil</translation>
     </message>
     <message>
         <source>Tool paths</source>
@@ -6872,7 +6872,7 @@
     </message>
     <message>
         <source>Tool paths are not split over beds: write the G-code, or choose a larger bed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les parcours d'outil ne se répartissent pas sur plusieurs plateaux : écrivez le G-code, ou choisissez un plateau plus grand.</translation>
     </message>
     <message>
         <source>Tool paths, no file</source>
@@ -6912,7 +6912,7 @@
     </message>
     <message>
         <source>True length</source>
-        <translation type="unfinished"></translation>
+        <translation>Vraie longueur</translation>
     </message>
     <message>
         <source>Try temperature and time on two scraps: the weld must stretch or tear before it opens.</source>
@@ -6924,7 +6924,7 @@
     </message>
     <message>
         <source>Turns a minute; empty: not known yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Tours par minute ; vide : pas encore connu</translation>
     </message>
     <message>
         <source>Twelve panels that follow a solid: change its sizes in the spreadsheet</source>
@@ -6976,11 +6976,11 @@
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Unité</translation>
     </message>
     <message>
         <source>Unit of the numbers in its files</source>
-        <translation type="unfinished"></translation>
+        <translation>Unité des nombres dans ses fichiers</translation>
     </message>
     <message>
         <source>Unknown</source>
@@ -6988,7 +6988,7 @@
     </message>
     <message>
         <source>Upload the SVG as a cut image and compare the control bar: some versions read the size at 72 dpi. Nothing is in the file that may not be cut. It adds the knife's offset and overcut itself. Design Space prints marks of its own (Print Then Cut), round at most 183 x 270 mm on A4: a print has none, and is refused where it is larger.</source>
-        <translation type="unfinished"></translation>
+        <translation>Chargez le SVG comme image à découper et comparez la barre de contrôle : certaines versions lisent la taille à 72 dpi. Rien dans le fichier n'est à ne pas couper. Le décalage de la lame et la surcoupe sont ajoutés d'office. Design Space imprime ses propres repères (Print Then Cut), autour de 183 x 270 mm au plus sur A4 : une impression n'en a pas, et est refusée si elle est plus grande.</translation>
     </message>
     <message>
         <source>Upper end</source>
@@ -7084,7 +7084,7 @@
     </message>
     <message>
         <source>Weld overrun</source>
-        <translation type="unfinished"></translation>
+        <translation>Dépassement de soudure</translation>
     </message>
     <message>
         <source>Weld rigidity</source>
@@ -7124,15 +7124,15 @@
     </message>
     <message>
         <source>What is cut is a line in the spot colour CutContour, which prints over the picture and leaves no gap in it. With artwork both are in artwork-print-and-cut-pdf.pdf. The shop's program adds marks of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce qui est coupé est une ligne dans le ton direct CutContour, qui s'imprime sur l'image sans y laisser de vide. Avec une illustration, les deux sont dans artwork-print-and-cut-pdf.pdf. Le programme de l'imprimeur ajoute ses propres repères.</translation>
     </message>
     <message>
         <source>What it can work on, such as 600 x 400 mm, or 600 mm for a roll; empty where there is no limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce qu'elle peut travailler, par exemple 600 x 400 mm, ou 600 mm pour un rouleau ; vide s'il n'y a pas de limite</translation>
     </message>
     <message>
         <source>What it holds</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce qu'elle porte</translation>
     </message>
     <message>
         <source>What it takes to make it</source>
@@ -7168,7 +7168,7 @@
     </message>
     <message>
         <source>What you want to read when you choose this machine, such as film and separating layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce que vous voulez lire en choisissant cette machine, comme le film et la couche de séparation</translation>
     </message>
     <message>
         <source>What {0} sent is not the native solver of this release: its SHA-256 is another one. It was not kept. {1}</source>
@@ -7216,7 +7216,7 @@
     </message>
     <message>
         <source>Width of film that the beam or cutter takes away: cuts are moved outward by half of it</source>
-        <translation type="unfinished"></translation>
+        <translation>Largeur de film que le faisceau ou la découpeuse enlève : les coupes sont décalées de la moitié vers l'extérieur</translation>
     </message>
     <message>
         <source>Width of the balloon when it is inflated</source>
@@ -7288,7 +7288,7 @@
     </message>
     <message>
         <source>Write several files, each as large as the bed. Crosses in waste film tell how the film is laid on anew for the next one</source>
-        <translation type="unfinished"></translation>
+        <translation>Écrire plusieurs fichiers, chacun grand comme le plateau. Des croix dans le film perdu disent comment reposer le film pour le suivant</translation>
     </message>
     <message>
         <source>Write the file although it is larger than the bed</source>
@@ -7328,7 +7328,7 @@
     </message>
     <message>
         <source>Writing the test card</source>
-        <translation type="unfinished"></translation>
+        <translation>Écriture de la carte d'essai</translation>
     </message>
     <message>
         <source>Writing {0}</source>
@@ -7356,7 +7356,7 @@
     </message>
     <message>
         <source>Zünd Cut Center (flat bed)</source>
-        <translation type="unfinished"></translation>
+        <translation>Zünd Cut Center (table à plat)</translation>
     </message>
     <message>
         <source>["200mm", "300mm"], {"linspace": ["1kPa", "3kPa", 5]} with how many, {"range": [6, 12, 2]} with the step, {"between": ["1kPa", "3kPa"]} for samples, or {"glob": "drawings/*.png"}</source>
@@ -7396,7 +7396,7 @@
     </message>
     <message>
         <source>a loop is no list of at least three points [x, y].</source>
-        <translation type="unfinished"></translation>
+        <translation>une boucle n'est pas une liste d'au moins trois points [x, y].</translation>
     </message>
     <message>
         <source>a mass</source>
@@ -7512,7 +7512,7 @@
     </message>
     <message>
         <source>baking paper</source>
-        <translation type="unfinished"></translation>
+        <translation>papier cuisson</translation>
     </message>
     <message>
         <source>balloon {0} of {1}</source>
@@ -7532,11 +7532,11 @@
     </message>
     <message>
         <source>bar or iron {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>barre ou fer {0}</translation>
     </message>
     <message>
         <source>bed_mm is {0}: give [width, height], [width, null] for a roll, or null where there is no limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>bed_mm est {0} : donnez [width, height], [width, null] pour un rouleau, ou null s'il n'y a pas de limite.</translation>
     </message>
     <message>
         <source>both lie on borders of one piece</source>
@@ -7556,7 +7556,7 @@
     </message>
     <message>
         <source>crosses for the eye</source>
-        <translation type="unfinished"></translation>
+        <translation>croix pour l'œil</translation>
     </message>
     <message>
         <source>cut</source>
@@ -7692,7 +7692,7 @@
     </message>
     <message>
         <source>hot tip at {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>pointe chaude à {0}</translation>
     </message>
     <message>
         <source>hot wheel</source>
@@ -7756,7 +7756,7 @@
     </message>
     <message>
         <source>it has {0} shapes: give 1 to {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>elle a {0} formes : donnez de 1 à {1}.</translation>
     </message>
     <message>
         <source>it is nested too deeply</source>
@@ -7788,7 +7788,7 @@
     </message>
     <message>
         <source>its lines cross or touch: give the edge of one piece of film, and its holes.</source>
-        <translation type="unfinished"></translation>
+        <translation>ses lignes se croisent ou se touchent : donnez le bord d'une seule pièce de film, et ses trous.</translation>
     </message>
     <message>
         <source>its points have lists.</source>
@@ -7816,7 +7816,7 @@
     </message>
     <message>
         <source>laying out</source>
-        <translation type="unfinished"></translation>
+        <translation>disposition</translation>
     </message>
     <message>
         <source>laying out, {0} so far</source>
@@ -7852,7 +7852,7 @@
     </message>
     <message>
         <source>line_mm of marks is {0}, and size_mm {1}: a line is at most half as wide as its mark.</source>
-        <translation type="unfinished"></translation>
+        <translation>line_mm des repères est {0}, et size_mm {1} : une ligne est au plus large comme la moitié de son repère.</translation>
     </message>
     <message>
         <source>loose: {}</source>
@@ -7872,19 +7872,19 @@
     </message>
     <message>
         <source>marks is {0}: give {"style": ...}, or leave it out for crosses.</source>
-        <translation type="unfinished"></translation>
+        <translation>marks est {0} : donnez {"style": ...}, ou omettez-le pour des croix.</translation>
     </message>
     <message>
         <source>marks of size_mm {0} and inset_mm {1} do not fit on a page_mm of {2}: give a larger page or smaller marks.</source>
-        <translation type="unfinished"></translation>
+        <translation>des repères de size_mm {0} et inset_mm {1} ne tiennent pas sur une page_mm de {2} : donnez une page plus grande ou des repères plus petits.</translation>
     </message>
     <message>
         <source>marks of style {0} have no "{1}": only {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>les repères de style {0} n'ont pas de « {1} » : seulement {2}.</translation>
     </message>
     <message>
         <source>marks of style {0} lack {1}: add it.</source>
-        <translation type="unfinished"></translation>
+        <translation>il manque {1} aux repères de style {0} : ajoutez-le.</translation>
     </message>
     <message>
         <source>mass</source>
@@ -7904,7 +7904,7 @@
     </message>
     <message>
         <source>moved at {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>avancée à {0}</translation>
     </message>
     <message>
         <source>name a property of the balloon</source>
@@ -7944,7 +7944,7 @@
     </message>
     <message>
         <source>nobody knows the start value "{0}": it may be one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>personne ne connaît la valeur de départ « {0} » : elle peut être l'une de {1}.</translation>
     </message>
     <message>
         <source>not converged: </source>
@@ -7956,7 +7956,7 @@
     </message>
     <message>
         <source>nothing is left that is large enough to be used again</source>
-        <translation type="unfinished"></translation>
+        <translation>il ne reste rien d'assez grand pour resservir</translation>
     </message>
     <message>
         <source>number for full power</source>
@@ -7964,11 +7964,11 @@
     </message>
     <message>
         <source>on a remnant of</source>
-        <translation type="unfinished"></translation>
+        <translation>sur une chute de</translation>
     </message>
     <message>
         <source>only a PDF has spot colours: give "format": "pdf", or leave them out.</source>
-        <translation type="unfinished"></translation>
+        <translation>seul un PDF a des tons directs : donnez "format": "pdf", ou omettez-les.</translation>
     </message>
     <message>
         <source>opacity</source>
@@ -7980,7 +7980,7 @@
     </message>
     <message>
         <source>outward of marks is {0}: write true or false.</source>
-        <translation type="unfinished"></translation>
+        <translation>outward des repères est {0} : écrivez true ou false.</translation>
     </message>
     <message>
         <source>over</source>
@@ -7996,7 +7996,7 @@
     </message>
     <message>
         <source>pieces {0}, {1} {2}, {3} used</source>
-        <translation type="unfinished"></translation>
+        <translation>pièces {0}, {1} {2}, {3} utilisés</translation>
     </message>
     <message>
         <source>place "{0}" is neither {1} nor {2}.</source>
@@ -8008,7 +8008,7 @@
     </message>
     <message>
         <source>pressed for {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>pressé pendant {0}</translation>
     </message>
     <message>
         <source>pressure</source>
@@ -8024,7 +8024,7 @@
     </message>
     <message>
         <source>reading the photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>lecture de la photo</translation>
     </message>
     <message>
         <source>reading the solid</source>
@@ -8032,7 +8032,7 @@
     </message>
     <message>
         <source>remnants {0}, {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>chutes {0}, {1}</translation>
     </message>
     <message>
         <source>right</source>
@@ -8064,7 +8064,7 @@
     </message>
     <message>
         <source>speed</source>
-        <translation type="unfinished"></translation>
+        <translation>vitesse</translation>
     </message>
     <message>
         <source>speed of the spindle</source>
@@ -8076,7 +8076,7 @@
     </message>
     <message>
         <source>square_mm of marks is larger than size_mm, {0}: make it smaller.</source>
-        <translation type="unfinished"></translation>
+        <translation>square_mm des repères dépasse size_mm, {0} : réduisez-le.</translation>
     </message>
     <message>
         <source>stale: </source>
@@ -8088,11 +8088,11 @@
     </message>
     <message>
         <source>start_values are of films that are welded by heat: give "joining": "heat" too.</source>
-        <translation type="unfinished"></translation>
+        <translation>start_values est pour les films soudés à chaud : donnez aussi "joining": "heat".</translation>
     </message>
     <message>
         <source>start_values are {0}: give the values with their sources, or leave them out.</source>
-        <translation type="unfinished"></translation>
+        <translation>start_values est {0} : donnez les valeurs avec leurs sources, ou omettez-les.</translation>
     </message>
     <message>
         <source>stopped; {0}.</source>
@@ -8136,7 +8136,7 @@
     </message>
     <message>
         <source>test-card.json</source>
-        <translation type="unfinished"></translation>
+        <translation>test-card.json</translation>
     </message>
     <message>
         <source>the answer is not HTTP</source>
@@ -8176,7 +8176,7 @@
     </message>
     <message>
         <source>the layer name "{0}" may have 1 to 31 of A-Z, a-z, 0-9, _, - and $ only.</source>
-        <translation type="unfinished"></translation>
+        <translation>le nom de calque « {0} » ne peut avoir que de 1 à 31 des caractères A-Z, a-z, 0-9, _, - et $.</translation>
     </message>
     <message>
         <source>the layer {0} lacks {1}: give speed and power together, or neither.</source>
@@ -8184,7 +8184,7 @@
     </message>
     <message>
         <source>the marks of {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>les repères de {0}</translation>
     </message>
     <message>
         <source>the name "{0}" of the stock goes into file names: take letters a to z.</source>
@@ -8200,15 +8200,15 @@
     </message>
     <message>
         <source>the separating layer "{0}" is none of {1}: take one.</source>
-        <translation type="unfinished"></translation>
+        <translation>la couche de séparation « {0} » n'est aucune de {1} : prenez-en une.</translation>
     </message>
     <message>
         <source>the spot colour "{0}" may have letters, digits, _ and - only.</source>
-        <translation type="unfinished"></translation>
+        <translation>le ton direct « {0} » ne peut avoir que des lettres, des chiffres, _ et -.</translation>
     </message>
     <message>
         <source>the style of marks</source>
-        <translation type="unfinished"></translation>
+        <translation>le style des repères</translation>
     </message>
     <message>
         <source>the tool "{0}" is none of {1}.</source>
@@ -8232,7 +8232,7 @@
     </message>
     <message>
         <source>there is no unit "{0}": write "mm".</source>
-        <translation type="unfinished"></translation>
+        <translation>il n'y a pas d'unité « {0} » : écrivez "mm".</translation>
     </message>
     <message>
         <source>thickness</source>
@@ -8248,7 +8248,7 @@
     </message>
     <message>
         <source>through a layer of {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>à travers une couche de {0}</translation>
     </message>
     <message>
         <source>tight: {}</source>
@@ -8376,7 +8376,7 @@
     </message>
     <message>
         <source>{0} cannot be deleted: {1}. See who may write there.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ne peut pas être supprimé : {1}. Voyez qui peut y écrire.</translation>
     </message>
     <message>
         <source>{0} cannot be loaded ({1}).</source>
@@ -8392,7 +8392,7 @@
     </message>
     <message>
         <source>{0} cannot make crosses in the film to lay it on anew (layer REGISTRATION): choose another machine, or make the balloon smaller.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ne peut pas faire de croix dans le film pour le reposer (calque REGISTRATION) : choisissez une autre machine, ou réduisez le ballon.</translation>
     </message>
     <message>
         <source>{0} cannot work: {1}</source>
@@ -8428,7 +8428,7 @@
     </message>
     <message>
         <source>{0} goes up to {1}, and {2} bears {3}: give less.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} va jusqu'à {1}, et {2} supporte {3} : donnez moins.</translation>
     </message>
     <message>
         <source>{0} has a point that is no number or farther away than {1}. Check its coordinates and the unit.</source>
@@ -8684,7 +8684,7 @@
     </message>
     <message>
         <source>{0} is {1}: give a number, or [least, most].</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} est {1} : donnez un nombre, ou [least, most].</translation>
     </message>
     <message>
         <source>{0} is {1}: give a number.</source>
@@ -8692,11 +8692,11 @@
     </message>
     <message>
         <source>{0} is {1}: give numbers from {2} to {3}, the smaller one first.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} est {1} : donnez des nombres de {2} à {3}, le plus petit d'abord.</translation>
     </message>
     <message>
         <source>{0} is {1}: write it as {"value": ..., "source": "who says so"}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} est {1} : écrivez-le comme {"value": ..., "source": "who says so"}.</translation>
     </message>
     <message>
         <source>{0} is {1}: write true or false.</source>
@@ -8704,7 +8704,7 @@
     </message>
     <message>
         <source>{0} lacks its source: write who states it. What nobody states is left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il manque une source à {0} : écrivez qui l'indique. Ce que personne n'indique s'omet.</translation>
     </message>
     <message>
         <source>{0} left out ({1}).</source>
@@ -8760,11 +8760,11 @@
     </message>
     <message>
         <source>{0} of marks is {1}: give [width, height], or leave it out.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} des repères est {1} : donnez [width, height], ou omettez-le.</translation>
     </message>
     <message>
         <source>{0} of marks is {1}: give a number from {2} to {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} des repères est {1} : donnez un nombre de {2} à {3}.</translation>
     </message>
     <message>
         <source>{0} of {1} cannot be {2}: take another value.</source>
@@ -8872,7 +8872,7 @@
     </message>
     <message>
         <source>{0} {1}, and {2} takes at most {3}: make the balloon smaller, or print and cut it on another machine.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} {1}, et {2} prend au plus {3} : réduisez le ballon, ou imprimez-le et coupez-le sur une autre machine.</translation>
     </message>
     <message>
         <source>{0}, inflated: {1}</source>
@@ -8880,15 +8880,15 @@
     </message>
     <message>
         <source>{0}: '{1}' is no number, write one such as 20.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} : « {1} » n'est pas un nombre, écrivez-en un comme 20.</translation>
     </message>
     <message>
         <source>{0}: it is split over several files. Cut them in their order, and lay the film on anew each time so that its crosses are where the next file has them.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} : il est réparti sur plusieurs fichiers. Coupez-les dans leur ordre, et reposez le film chaque fois de sorte que ses croix soient où le fichier suivant les a.</translation>
     </message>
     <message>
         <source>{0}: its file lacks {1}: add it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} : il manque {1} à son fichier : ajoutez-le.</translation>
     </message>
     <message>
         <source>{0}: lay its pieces out on sheets of that size, make the balloon smaller, or write the file anyway.</source>
@@ -8908,11 +8908,11 @@
     </message>
     <message>
         <source>{0}: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} : {1}</translation>
     </message>
     <message>
         <source>{0}: {1} mm is out of range, give {2} to {3} mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} : {1} mm est hors limites, donnez de {2} à {3} mm.</translation>
     </message>
     <message>
         <source>{0}; wider than the usual roll</source>
@@ -8936,7 +8936,7 @@
     </message>
     <message>
         <source>{} (unusable)</source>
-        <translation type="unfinished"></translation>
+        <translation>{} (inutilisable)</translation>
     </message>
     <message>
         <source>{} ({})</source>
@@ -8968,11 +8968,11 @@
     </message>
     <message>
         <source>{} is among the films</source>
-        <translation type="unfinished"></translation>
+        <translation>{} est parmi les films</translation>
     </message>
     <message>
         <source>{} is among the machines of Export pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>{} est parmi les machines de « Exporter le patron »</translation>
     </message>
     <message>
         <source>{} is in the tree</source>
@@ -8988,7 +8988,7 @@
     </message>
     <message>
         <source>{} is there already: tick "Replace the files", or choose another folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>{} existe déjà : cochez « Remplacer les fichiers », ou choisissez un autre dossier.</translation>
     </message>
     <message>
         <source>{} ms, {}, frame {} of {}</source>
@@ -9138,11 +9138,11 @@
     <name>BalloonWorkbench_Compare</name>
     <message>
         <source>Compare with a photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>Comparer à une photo</translation>
     </message>
     <message>
         <source>Lay a photograph of the finished balloon over the simulated one, and see how near it came</source>
-        <translation type="unfinished"></translation>
+        <translation>Poser une photo du ballon fini sur le ballon simulé, et voir de combien ils diffèrent</translation>
     </message>
 </context>
 <context>
@@ -9237,11 +9237,11 @@
     <name>BalloonWorkbench_Machines</name>
     <message>
         <source>My machines</source>
-        <translation type="unfinished"></translation>
+        <translation>Mes machines</translation>
     </message>
     <message>
         <source>Set up cutters, lasers, sealers and printers of your own: bed, file format, kerf, knife and tool</source>
-        <translation type="unfinished"></translation>
+        <translation>Régler vos propres découpeuses, lasers, soudeuses et imprimantes : plateau, format de fichier, trait de coupe, lame et outil</translation>
     </message>
 </context>
 <context>
@@ -9281,11 +9281,11 @@
     <name>BalloonWorkbench_TestCard</name>
     <message>
         <source>Find feed, power, temperature or depth of a tool for a film: weld or cut a card of fields</source>
-        <translation type="unfinished"></translation>
+        <translation>Trouver avance, puissance, température ou profondeur d'un outil pour un film : souder ou couper une carte de champs</translation>
     </message>
     <message>
         <source>Test card</source>
-        <translation type="unfinished"></translation>
+        <translation>Carte d'essai</translation>
     </message>
 </context>
 <context>
