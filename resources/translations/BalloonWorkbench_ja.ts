@@ -2948,7 +2948,7 @@
     </message>
     <message>
         <source>How long a way from waste film to a weld may be; 0 for none</source>
-        <translation>余白のフィルムから溶着線までの助走の最大の長さ。0 ならなし</translation>
+        <translation>捨てるフィルムから溶着線までの助走の最大の長さ。0 ならなし</translation>
     </message>
     <message>
         <source>How long it waits before it moves along a line: film warms, a beam burns in, a spindle starts</source>
@@ -4940,7 +4940,7 @@
     </message>
     <message>
         <source>Split over beds of {0}, the pattern leaves no waste film for two crosses {1} apart by which it is laid on anew: choose a larger bed, or lay the pieces out on sheets.</source>
-        <translation>{0} の加工台ごとに分けると、フィルムを置き直すための十字 2 つを {1} 離して入れる余白のフィルムがありません。もっと大きい加工台を選ぶか、部品をシートに並べてください。</translation>
+        <translation>{0} の加工台ごとに分けると、フィルムを置き直すための十字 2 つを {1} 離して入れるだけの、捨てるフィルムがありません。もっと大きい加工台を選ぶか、部品をシートに並べてください。</translation>
     </message>
     <message>
         <source>Spot in 16 panels</source>
@@ -7288,7 +7288,7 @@
     </message>
     <message>
         <source>Write several files, each as large as the bed. Crosses in waste film tell how the film is laid on anew for the next one</source>
-        <translation>加工台の大きさごとに複数のファイルを書き出します。余白のフィルムの十字で、次のファイルのためにフィルムをどう置き直すかが分かります</translation>
+        <translation>加工台の大きさごとに複数のファイルを書き出します。捨てるフィルムの十字で、次のファイルのためにフィルムをどう置き直すかが分かります</translation>
     </message>
     <message>
         <source>Write the file although it is larger than the bed</source>
@@ -7904,7 +7904,7 @@
     </message>
     <message>
         <source>moved at {0}</source>
-        <translation>送り {0}</translation>
+        <translation>動かす速さ {0}</translation>
     </message>
     <message>
         <source>name a property of the balloon</source>
