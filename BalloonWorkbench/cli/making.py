@@ -194,8 +194,9 @@ def _nest(
 def _used(layout: Layout) -> str:
     """What a layout takes of its film."""
     size, used = size_text(layout.length, layout.stock.width), percent_text(layout.utilisation)
-    where = "on a remnant of" if layout.stock.remnant else "on"
-    return f"pieces {len(layout.places)}, {where} {size}, {used} used"
+    if layout.stock.remnant:
+        return f"pieces {len(layout.places)}, on a remnant of {size}, {used} used"
+    return f"pieces {len(layout.places)}, on {size}, {used} used"
 
 
 def _left(layouts: Sequence[Layout], pieces: Sequence[Piece], stock: str) -> tuple[dict[str, bytes], str]:

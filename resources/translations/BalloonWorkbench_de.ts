@@ -7963,10 +7963,6 @@
         <translation>Zahl für volle Leistung</translation>
     </message>
     <message>
-        <source>on a remnant of</source>
-        <translation>auf einem Reststück von</translation>
-    </message>
-    <message>
         <source>only a PDF has spot colours: give "format": "pdf", or leave them out.</source>
         <translation>nur ein PDF hat Schmuckfarben: geben Sie "format": "pdf" oder lassen Sie sie weg.</translation>
     </message>
@@ -7995,8 +7991,12 @@
         <translation>passes von {0} ist {1}: eine ganze Zahl angeben.</translation>
     </message>
     <message>
-        <source>pieces {0}, {1} {2}, {3} used</source>
-        <translation>Stücke {0}, {1} {2}, {3} genutzt</translation>
+        <source>pieces {0}, on a remnant of {1}, {2} used</source>
+        <translation>Stücke {0}, auf einem Reststück von {1}, {2} genutzt</translation>
+    </message>
+    <message>
+        <source>pieces {0}, on {1}, {2} used</source>
+        <translation>Stücke {0}, auf {1}, {2} genutzt</translation>
     </message>
     <message>
         <source>place "{0}" is neither {1} nor {2}.</source>

@@ -7963,10 +7963,6 @@
         <translation>número para la potencia máxima</translation>
     </message>
     <message>
-        <source>on a remnant of</source>
-        <translation>en un retal de</translation>
-    </message>
-    <message>
         <source>only a PDF has spot colours: give "format": "pdf", or leave them out.</source>
         <translation>solo un PDF tiene tintas planas: indique "format": "pdf", u omítalas.</translation>
     </message>
@@ -7995,8 +7991,12 @@
         <translation>passes de {0} es {1}: indique un número entero.</translation>
     </message>
     <message>
-        <source>pieces {0}, {1} {2}, {3} used</source>
-        <translation>piezas {0}, {1} {2}, {3} aprovechado</translation>
+        <source>pieces {0}, on a remnant of {1}, {2} used</source>
+        <translation>piezas {0}, en un retal de {1}, {2} aprovechado</translation>
+    </message>
+    <message>
+        <source>pieces {0}, on {1}, {2} used</source>
+        <translation>piezas {0}, en {1}, {2} aprovechado</translation>
     </message>
     <message>
         <source>place "{0}" is neither {1} nor {2}.</source>

@@ -7963,10 +7963,6 @@
         <translation>nombre pour la pleine puissance</translation>
     </message>
     <message>
-        <source>on a remnant of</source>
-        <translation>sur une chute de</translation>
-    </message>
-    <message>
         <source>only a PDF has spot colours: give "format": "pdf", or leave them out.</source>
         <translation>seul un PDF a des tons directs : donnez "format": "pdf", ou omettez-les.</translation>
     </message>
@@ -7995,8 +7991,12 @@
         <translation>passes de {0} est {1} : donnez un nombre entier.</translation>
     </message>
     <message>
-        <source>pieces {0}, {1} {2}, {3} used</source>
-        <translation>pièces {0}, {1} {2}, {3} utilisés</translation>
+        <source>pieces {0}, on a remnant of {1}, {2} used</source>
+        <translation>pièces {0}, sur une chute de {1}, {2} utilisés</translation>
+    </message>
+    <message>
+        <source>pieces {0}, on {1}, {2} used</source>
+        <translation>pièces {0}, sur {1}, {2} utilisés</translation>
     </message>
     <message>
         <source>place "{0}" is neither {1} nor {2}.</source>

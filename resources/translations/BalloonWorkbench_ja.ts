@@ -7963,10 +7963,6 @@
         <translation>最大出力を表す数</translation>
     </message>
     <message>
-        <source>on a remnant of</source>
-        <translation>残材の上：</translation>
-    </message>
-    <message>
         <source>only a PDF has spot colours: give "format": "pdf", or leave them out.</source>
         <translation>特色があるのは PDF だけです。"format": "pdf" とするか、特色を外してください。</translation>
     </message>
@@ -7995,8 +7991,12 @@
         <translation>{0} の passes が {1} です。整数にしてください。</translation>
     </message>
     <message>
-        <source>pieces {0}, {1} {2}, {3} used</source>
-        <translation>部品 {0}、{1} {2}、使用率 {3}</translation>
+        <source>pieces {0}, on a remnant of {1}, {2} used</source>
+        <translation>部品 {0}、残材 {1} の上、使用率 {2}</translation>
+    </message>
+    <message>
+        <source>pieces {0}, on {1}, {2} used</source>
+        <translation>部品 {0}、{1} の上、使用率 {2}</translation>
     </message>
     <message>
         <source>place "{0}" is neither {1} nor {2}.</source>

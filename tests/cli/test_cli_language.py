@@ -24,7 +24,7 @@ _PLACE = re.compile(r"({\w+})")
 #: What stays as it is in all languages: units, names of options, files, films and machines.
 SAME = re.compile(
     r"\d[\d.]* ?x |(?<![a-z])(?:µm|mm|cm|m|ml|l|mg|g|kg|k?Pa|dpi|EUR|in)(?:[²³])?(?![a-z])|--?[a-z-]+|'[^']*'"
-    r'|"[^"]*"|/[^ ]*|SOLVER native|[\w-]+\.(?:json|png|dxf|svg|pdf|plt)'
+    r'|"[^"]*"|/[^ ]*|\([^()]*, 20\d\d[^()]*\)|SOLVER native|[\w-]+\.(?:json|png|dxf|svg|pdf|plt)'
 )
 
 

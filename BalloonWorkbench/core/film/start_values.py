@@ -76,8 +76,8 @@ class StartValues:
             say(f"hot tip at {tip.text(temperature_text)}") if tip else "",
             say(f"moved at {speed.text(speed_text)}") if speed else "",
         ]
-        layer = say(self.separating_layer)
-        through = say(f"through a layer of {layer}") if layer else ""
+        layer = self.separating_layer
+        through = say(f"through a layer of {say(layer)}") if layer else ""
         return "; ".join(filter(None, [*(", ".join(filter(None, each)) for each in (still, moved)), through]))
 
     @property

@@ -65,14 +65,17 @@ def test_page_speaks_the_language(sheet: tuple[Path, str]) -> None:
 def test_nothing_runs_over(sheet: tuple[Path, str]) -> None:
     """Every word is inside the margins, and below the drawing inside its column."""
     path, _ = sheet
-    boxes = told_by("pdftotext", "-bbox", path, "-")
-    page = re.search(r'<page width="([\d.]+)" height="([\d.]+)"', boxes)
+    first, *others = told_by("pdftotext", "-bbox", path, "-").split("<page ")[1:]
+    page = re.match(r'width="([\d.]+)" height="([\d.]+)"', first)
     assert page is not None
     width, height = map(float, page.groups())
-    corners = " ".join(f'{name}="([-\\d.]+)"' for name in ("xMin", "yMin", "xMax", "yMax"))
-    words = re.findall(f"<word {corners}>(.*?)</word>", boxes)
-    assert len(words) > 20
     mm = 25.4 / 72.0
+    assert len(others) == 1
+    for left, y, right, low, word in words_of(others[0]):  # pictures
+        assert MARGIN - 0.1 < float(left) * mm < float(right) * mm < width * mm - MARGIN + 0.1, word
+        assert 0.0 < float(y) < float(low) < height, word
+    words = words_of(first)
+    assert len(words) > 20
     middle, half = 0.5 * width * mm, 0.5 * GUTTER
     lists = min(float(y) for _, y, _, _, word in words if re.match(r"30.?µm|30$", word))
     for left, y, right, low, word in words:
@@ -82,6 +85,11 @@ def test_nothing_runs_over(sheet: tuple[Path, str]) -> None:
         if lists < float(y) < height - 25.0 / mm:
             assert float(right) * mm < middle - half + 0.5 or float(left) * mm > middle + half - 0.5, word
     assert lists > 0.4 * height, "the drawing keeps its room"
+
+
+def words_of(page: str) -> list[tuple[str, ...]]:
+    corners = " ".join(f'{name}="([-\\d.]+)"' for name in ("xMin", "yMin", "xMax", "yMax"))
+    return re.findall(f"<word {corners}>(.*?)</word>", page)
 
 
 def test_every_text_is_translated() -> None:
@@ -120,7 +128,7 @@ def test_every_text_is_translated() -> None:
         same = {text for text in said if tell(text) == text}
         # words that are the same in two languages
         assert not {text for text in same if len(text.split()) > 2 and "litres" not in text}, language
-        assert language != "ja" or not same
+        assert language != "ja" or same <= {"PTFE"}
 
 
 @JAPANESE
