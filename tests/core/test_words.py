@@ -30,7 +30,7 @@ PICTURES = ROOT / "resources" / "examples" / "pictures"
 PACKAGE = Path(units.__file__).resolve().parents[1]
 #: These write numbers for programs: files of machines, macros, fingerprints, and the functions themselves.
 FOR_PROGRAMS = (
-    *("core/machines/writers/[dghls]*.py", "core/results/vtu.py", "core/units.py"),
+    *("core/machines/writers/[dghls]*.py", "core/results/vtu.py", "core/pages/pdf.py", "core/units.py"),
     *(
         "core/rounded.py",
         "core/studies/axes.py",
@@ -294,7 +294,7 @@ MANY = "pixels millimetres letters notches copies balloons pages degrees shapes 
 MANY += " pieces lines vertices does has was its this times belongs calls crosses eases encloses ends follows"
 MANY += " bears begins bodies gores holes joins lacks leans leaves lies lifts makes needs panels reads runs"
 MANY += " seams turns wants divides goes misses comes pass strips combinations rows samples gets strays takes"
-MANY += " ones parts"
+MANY += " ones parts marks looks"
 
 
 def test_one_is_said_in_the_singular() -> None:
