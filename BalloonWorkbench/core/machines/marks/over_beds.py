@@ -27,7 +27,7 @@ from BalloonWorkbench.core.pattern.pattern import Pattern, Role
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import from_mm, length_text, to_mm
 
-#: All in mm: half of a cross that is made, and of one that is found; reach round it to film that is used, and
+#: All in mm: half of a cross that is made, and of one that is found; room round it to film that is used, and
 #: to the edge of the bed.
 _MADE, _TARGET, _CLEAR = 5.0, 7.0, 2.0
 #: Film beyond the drawing for crosses, and how far two beds overlap at least.
@@ -40,7 +40,7 @@ _HAIR, _CHORD, _DUST = 0.3, 0.005, 1e-6
 _MOST = 100
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class _Bed:
     """One place of the bed in the drawing, and the part that is done there: boxes (2, 2) mm."""
 
@@ -62,12 +62,14 @@ def over_beds(pattern: Pattern, machine: Machine) -> list[Toolpaths]:
         return [draw(pattern, machine)]
     _hold_possible(pattern, machine)
     drawing = draw(pattern, replace(machine, control_bar=False))
-    beds = [bed for bed in _beds(drawing, to_mm(np.array(machine.bed))) if _parts(drawing, bed)]
+    lines = [(path, path.curve.flattened(_CHORD)) for path in drawing.paths]
+    done = {bed: _parts(lines, bed) for bed in _beds(drawing, to_mm(np.array(machine.bed)))}
+    beds = [bed for bed, paths in done.items() if paths]
     low = to_mm(reach(pattern, machine)[0]) if machine.tool else _corner(pattern, machine)
     package = shapely()
     film = package.union_all([package.Polygon(to_mm(cut.points) - low) for cut in pattern.of(Role.CUT)])
     order, crosses = _laid_on(beds, film.buffer(_TARGET + _CLEAR), machine)
-    return [_file(drawing, bed, own) for bed, own in zip(order, crosses, strict=True)]
+    return [_file(done[bed], bed, own) for bed, own in zip(order, crosses, strict=True)]
 
 
 def _hold_possible(pattern: Pattern, machine: Machine) -> None:
@@ -116,21 +118,20 @@ def _count(length: float, side: float) -> int:
     return int(np.ceil((length - _OVERLAP) / (side - _OVERLAP)))
 
 
-def _parts(drawing: Toolpaths, bed: _Bed) -> list[Path]:
-    """What of a drawing is done at a place of the bed, still where it is."""
+def _parts(lines: list[tuple[Path, Floats]], bed: _Bed) -> list[Path]:
+    """What of a drawing's paths, with their points (n, 2) mm, is done at a place of the bed, where it is."""
     package = shapely()
     box = np.array([bed.part[0] - _HAIR, bed.part[1] + _HAIR])
     area = package.box(*np.clip(box, bed.window[0], bed.window[1]).ravel())
     done: list[Path] = []
-    for path in drawing.paths:
-        points = path.curve.flattened(_CHORD)
+    for path, points in lines:
         inside = package.intersects_xy(area, *points.T)
         if inside.all():
             done.append(path)
             continue
-        if path.curve.closed:
-            points = np.roll(points, -int(np.argmin(inside)), axis=0)  # from outside: whole pieces
-        pieces = package.get_parts(package.LineString(ring(points, path.curve.closed)).intersection(area))
+        first = int(np.argmin(inside)) if path.curve.closed else 0  # from outside: whole pieces
+        line = package.LineString(ring(np.roll(points, -first, axis=0), path.curve.closed))
+        pieces = package.get_parts(line.intersection(area))
         done += [
             replace(path, curve=polyline(package.get_coordinates(piece), False))
             for piece in pieces
@@ -184,14 +185,14 @@ def _farthest(bed: _Bed, waste: Any) -> tuple[float, tuple[Floats, ...]]:
     return float(apart[first, second]), (corners[first], corners[second])
 
 
-def _file(drawing: Toolpaths, bed: _Bed, crosses: list[_Cross]) -> Toolpaths:
-    """The drawing at one place of the bed: crosses, then its part of the lines."""
+def _file(own: list[Path], bed: _Bed, crosses: list[_Cross]) -> Toolpaths:
+    """The drawing at one place of the bed: crosses, then its own part of the lines."""
     marks = [
         Path(Role.REGISTRATION, polyline(np.array([at - arm, at + arm]), False))
         for at, size in crosses
         for arm in ((size, 0.0), (0.0, size))
     ]
-    done, low = (*marks, *_parts(drawing, bed)), -bed.window[0]
+    done, low = (*marks, *own), -bed.window[0]
     paths = [replace(path, curve=path.curve.moved(low)) for path in done]
     width, height = (bed.window[1] - bed.window[0]).tolist()
     return Toolpaths(tuple(paths), width, height)
