@@ -81,11 +81,21 @@ def arranged(loops: Sequence[Floats], notes: Sequence[str] = (), budget: Budget 
             holes[number] = []
         for inner in _within(loop, loops, smaller[number], number in holes):
             around[inner].append(number)
-    most = abs(signed_area(loops[0]))
-    sizeable = [number for number in holes if abs(signed_area(loops[number])) >= SPECK * most]
+    least = SPECK * abs(signed_area(loops[0]))
+    sizeable = [number for number in holes if not _is_speck(loops[number], least, budget)]
     remarks = (*notes, *speck_note(len(holes) - len(sizeable)))
     return Drawing(
         tuple(Outline(loops[number], tuple(holes[number]), () if number else remarks) for number in sizeable)
+    )
+
+
+def _is_speck(loop: Floats, least: float, budget: Budget) -> bool:
+    """Whether a loop is smaller than an area [m2]; the lobes of one that crosses itself take from each other,
+    and what is drawn is never dropped for that."""
+    if abs(signed_area(loop)) >= least:
+        return False
+    return bool(
+        np.prod(np.ptp(loop, axis=0)) < least or first_crossing([loop], (), budget.check_time) is None
     )
 
 

@@ -345,3 +345,21 @@ def test_loose_pieces_in_any_order_and_direction_become_their_loops():
         assert len(loops) == 3
         assert rest == []
         assert all(np.linalg.norm(np.diff(loop, axis=0), axis=1).max() < 0.011 for loop in loops)
+
+
+@pytest.mark.parametrize("lopsided", [0.0, 0.004, 0.3])
+@pytest.mark.parametrize(
+    "beside", ["", '<circle cx="55" cy="60" r="12"/>', '<circle cx="20" cy="10" r="3"/>']
+)
+def test_an_eight_is_no_speck(beside, lopsided, tmp_path):
+    """Its lobes run round in opposite senses, so that their areas take from each other: it is refused for its
+    crossing, never dropped for its size, whatever lies beside it."""
+    far = 190 + 90 * lopsided
+    eight = f"M10,60 C10,10 60,10 100,60 S{far},110 {far},60 S140,10 100,60 S10,110 10,60 Z"
+    file = tmp_path / "eight.svg"
+    file.write_text(
+        '<svg xmlns="http://www.w3.org/2000/svg" width="300mm" height="120mm" viewBox="0 0 300 120">'
+        f'<path d="{eight}"/>{beside}</svg>'
+    )
+    with pytest.raises(OutlineError, match="cross|meet"):
+        vector.read_vector(file)
