@@ -361,5 +361,5 @@ def test_an_eight_is_no_speck(beside, lopsided, tmp_path):
         '<svg xmlns="http://www.w3.org/2000/svg" width="300mm" height="120mm" viewBox="0 0 300 120">'
         f'<path d="{eight}"/>{beside}</svg>'
     )
-    with pytest.raises(OutlineError, match="cross|meet"):
+    with pytest.raises(OutlineError, match=r"cross|meet"):
         vector.read_vector(file)
