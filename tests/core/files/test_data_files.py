@@ -8,6 +8,7 @@ import os
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +18,7 @@ from BalloonWorkbench.cli import command_line
 from BalloonWorkbench.core.advice import rules
 from BalloonWorkbench.core.assembly_sheet import steps
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.film import filling, library
+from BalloonWorkbench.core.film import filling, library, start_values
 from BalloonWorkbench.core.machines import machine
 from BalloonWorkbench.core.making import trade_figures
 from BalloonWorkbench.core.pattern.intake import kinds
@@ -73,7 +74,9 @@ READERS: dict[str, tuple[Path, Callable[[Path], object]]] = {
         single(trade_figures, "FILE", trade_figures.making.__wrapped__),
     ),
     "gases": (RESOURCES / "gases.json", single(filling, "FILE", filling._library.__wrapped__)),
-    "steps": (steps.FILE, single(steps, "FILE", steps._steps.__wrapped__)),
+    "steps": (steps.FILE, single(steps, "FILE", partial(steps._entries.__wrapped__, "steps"))),
+    "pictures": (steps.FILE, single(steps, "FILE", partial(steps._entries.__wrapped__, "pictures"))),
+    "layers": (start_values.FILE, single(start_values, "FILE", start_values.separating_layers.__wrapped__)),
     "rules": (rules.FILE, single(rules, "FILE", rules.rules.__wrapped__)),
 }
 
