@@ -43,13 +43,13 @@ class CardPage(QtWidgets.QWidget):
         (kinds,) = (entry for entry in ENTRIES if entry.key == "kind")
         for kind, title in kinds.titles.items():
             self.tool.addItem(translated(title), kind)
-        self.hint, self.size = WrappedLabel(), WrappedLabel()
+        self.hint, self.card_size = WrappedLabel(), WrappedLabel()
         self.hint.setText(
             translate(
                 "Give one or two settings several values, such as 200, 300, 400, and each of the others one."
             )
         )
-        self.size.setObjectName("CardSize")
+        self.card_size.setObjectName("CardSize")
         self._form = NarrowForm(self)
         self._form.addRow(translate("Machine"), self.choice)
         self._form.addRow(translate("Tool"), self.tool)
@@ -58,7 +58,7 @@ class CardPage(QtWidgets.QWidget):
         self.folder = TargetFolder(App.ActiveDocument, "CardFolder", "test-card")
         self._form.addRow(QtWidgets.QLabel(translate("Folder")))
         self._form.addRow(self.folder)
-        self._form.addRow(self.size)
+        self._form.addRow(self.card_size)
         self.choice.currentIndexChanged.connect(lambda _index: self._begin())
         self.tool.activated.connect(lambda _index: self._turn())
         self._begin()
@@ -136,10 +136,10 @@ class CardPage(QtWidgets.QWidget):
         try:
             card = make_card(self.machine, read_tried(self.tried()))
         except BalloonError:
-            self.size.setText("")
+            self.card_size.setText("")
             return
         size = size_text(*map(to_mm, card.size))
-        self.size.setText(translate("Fields: {}, on {} of film").format(len(card.fields), size))
+        self.card_size.setText(translate("Fields: {}, on {} of film").format(len(card.fields), size))
 
 
 def _in_tool(name: str) -> str:

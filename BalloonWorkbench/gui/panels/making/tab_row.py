@@ -21,13 +21,13 @@ class TabRow(QtWidgets.QWidget):
     def __init__(self):
         super().__init__()
         self._machine = ""
-        self.width, self.below = (QtWidgets.QLineEdit() for _ in range(2))
+        self.width_box, self.below_box = (QtWidgets.QLineEdit() for _ in range(2))
         row = QtWidgets.QGridLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         for number, (box, name, label, empty, tip) in enumerate(
             (
                 (
-                    self.width,
+                    self.width_box,
                     "TabWidth",
                     translate("Tabs"),
                     translate("None"),
@@ -37,7 +37,7 @@ class TabRow(QtWidgets.QWidget):
                     ),
                 ),
                 (
-                    self.below,
+                    self.below_box,
                     "TabsBelow",
                     translate("Round pieces up to"),
                     translate("Any size"),
@@ -67,13 +67,13 @@ class TabRow(QtWidgets.QWidget):
     def show_for(self, machine: str) -> None:
         """What is kept for a machine."""
         self._machine = machine
-        for box, length in zip((self.width, self.below), preferences.tabs(machine)):
+        for box, length in zip((self.width_box, self.below_box), preferences.tabs(machine)):
             box.setText(length_text(length) if length else "")
             box.setModified(False)
 
     def _take(self) -> None:
         """Keep what was typed."""
-        boxes = self.width, self.below
+        boxes = self.width_box, self.below_box
         if not any(box.isModified() for box in boxes):
             return
         unit = user_unit("mm", 1.0)[1]
