@@ -3124,7 +3124,7 @@
     </message>
     <message>
         <source>Keep the best</source>
-        <translation>Das beste behalten</translation>
+        <translation>Bestes behalten</translation>
     </message>
     <message>
         <source>Keep the film</source>
