@@ -7,6 +7,7 @@ from BalloonWorkbench.app.properties import preferences
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.units import LENGTH_UNITS, number_text, parse_size, to_mm
 from BalloonWorkbench.gui.panels.widgets.fields import ReturnKey
+from BalloonWorkbench.gui.panels.widgets.narrow import NarrowForm
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.window.user_units import length_text, user_unit
 
@@ -22,35 +23,32 @@ class TabRow(QtWidgets.QWidget):
         super().__init__()
         self._machine = ""
         self.width_box, self.below_box = (QtWidgets.QLineEdit() for _ in range(2))
-        row = QtWidgets.QGridLayout(self)
-        row.setContentsMargins(0, 0, 0, 0)
-        for number, (box, name, label, empty, tip) in enumerate(
+        form = NarrowForm(self)
+        form.setContentsMargins(0, 0, 0, 0)
+        for box, name, label, empty, tip in (
             (
-                (
-                    self.width_box,
-                    "TabWidth",
-                    translate("Tabs"),
-                    translate("None"),
-                    translate(
-                        "Leave tabs so wide in the cuts, such as 0.4 mm, on straights, two or more on each"
-                        " and one in 100 mm, so that pieces stay in the film. It is kept for this machine"
-                    ),
+                self.width_box,
+                "TabWidth",
+                translate("Tabs"),
+                translate("None"),
+                translate(
+                    "Leave tabs so wide in the cuts, such as 0.4 mm, on straights, two or more on each"
+                    " and one in 100 mm, so that pieces stay in the film. It is kept for this machine"
                 ),
-                (
-                    self.below_box,
-                    "TabsBelow",
-                    translate("Round pieces up to"),
-                    translate("Any size"),
-                    translate("Only pieces that are no larger than this either way get tabs, such as 50 mm"),
-                ),
-            )
+            ),
+            (
+                self.below_box,
+                "TabsBelow",
+                translate("Round pieces up to"),
+                translate("Any size"),
+                translate("Only pieces that are no larger than this either way get tabs, such as 50 mm"),
+            ),
         ):
             box.setObjectName(name)
             box.setMinimumWidth(60)
             box.setPlaceholderText(empty)
             box.setToolTip(tip)
-            row.addWidget(QtWidgets.QLabel(label), number, 0)
-            row.addWidget(box, number, 1)
+            form.addRow(label, box)
             box.editingFinished.connect(self._take)
             ReturnKey(box, self._take)
 

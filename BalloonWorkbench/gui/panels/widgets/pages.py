@@ -88,9 +88,14 @@ class Pages(QtWidgets.QWidget):
         self._arrange()
 
     def minimumSizeHint(self):
-        """As narrow as two titles side by side."""
+        """As narrow as the titles in two rows."""
         least = super().minimumSizeHint()
-        return QtCore.QSize(min(least.width(), self._widest(2)), least.height())
+        return QtCore.QSize(min(least.width(), self._widest(self._half)), least.height())
+
+    @property
+    def _half(self) -> int:
+        """How many titles there are in a row where there are two rows."""
+        return (len(self._buttons) + 1) // 2
 
     def _widest(self, in_a_row: int) -> int:
         widths = [button.sizeHint().width() for button in self._buttons]
@@ -102,7 +107,7 @@ class Pages(QtWidgets.QWidget):
     def _arrange(self) -> None:
         """The titles side by side where there is room, else in two rows."""
         whole = len(self._buttons)
-        in_a_row = whole if self._widest(whole) <= self.width() else (whole + 1) // 2
+        in_a_row = whole if self._widest(whole) <= self.width() else self._half
         if in_a_row == self._in_a_row:
             return
         self._in_a_row = in_a_row
