@@ -1788,7 +1788,7 @@
     </message>
     <message>
         <source>Any size</source>
-        <translation>Cualquier tamaño</translation>
+        <translation>Todas</translation>
     </message>
     <message>
         <source>Apply</source>

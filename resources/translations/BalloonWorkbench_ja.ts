@@ -1788,7 +1788,7 @@
     </message>
     <message>
         <source>Any size</source>
-        <translation>大きさは自由</translation>
+        <translation>すべて</translation>
     </message>
     <message>
         <source>Apply</source>
