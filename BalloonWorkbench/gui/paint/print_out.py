@@ -13,6 +13,7 @@ def offer(parts) -> None:
     from BalloonWorkbench.gui.panels.making.export import ExportPanel
 
     if is_free():
-        panel = ExportPanel(patterns(parts.pattern.Document), parts.pattern)
-        panel.machine.choose("paper", "Letter" if is_imperial() else "A4")
+        paper = "paper"
+        panel = ExportPanel(patterns(parts.pattern.Document), parts.pattern, paper)
+        panel.machine.choose(paper, "Letter" if is_imperial() else "A4")
         show(panel)

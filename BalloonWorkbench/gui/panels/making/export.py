@@ -26,10 +26,13 @@ from BalloonWorkbench.gui.window.user_units import NOTHING, length_text, size_te
 
 
 class ExportPanel(TaskPanel):
-    """Chooses a pattern, a machine and a file."""
+    """Chooses a pattern, a machine and a file.
 
-    def __init__(self, patterns, chosen=None):
-        self.patterns = patterns
+    preset  the machine that the program has set, which the document does not remember; "" for none
+    """
+
+    def __init__(self, patterns, chosen=None, preset=""):
+        self.patterns, self.preset = patterns, preset
         self.is_open = True
         self.form = QtWidgets.QWidget()
         self.form.setWindowTitle(translate("Export pattern"))
@@ -38,7 +41,7 @@ class ExportPanel(TaskPanel):
         self.choice.setObjectName("Pattern")
         self.choice.addItems([_name(pattern) for pattern in patterns])
         self.machine = MachineBox(patterns[0].Document.Name)
-        self.machine.choose(preferences.machine(patterns[0].Document))
+        self.machine.choose(preset or preferences.machine(patterns[0].Document))
         self.file = TargetFile(patterns[0].Document, "File", translate("Export pattern"))
         self.as_paths = QtWidgets.QCheckBox(translate("Tool paths, no file"))
         self.as_paths.setObjectName("AsToolPaths")
@@ -83,6 +86,11 @@ class ExportPanel(TaskPanel):
         self.file.suggest(self.machine.machine.file_of(name_of(pattern)))
         self.as_paths.setVisible(self.machine.machine.tool is not None)
         self.machine.show_for(pattern)
+
+    def _remember(self, machine: str) -> None:
+        """Export begins with it the next time, where the user has chosen it."""
+        if machine != self.preset:
+            preferences.put_machine(self.pattern().Document, machine)
 
     def set_up_machines(self) -> None:
         """Leave for the panel on the user's own machines."""
@@ -138,7 +146,7 @@ class ExportPanel(TaskPanel):
             "export", macro_recorder.obj(self.pattern()), macro_recorder.text(written), **options
         )
         self.file.wrote()
-        preferences.put_machine(self.pattern().Document, made_for.name)
+        self._remember(made_for.name)
         self.close()
         Gui.getMainWindow().statusBar().showMessage(translate("Pattern written to {}").format(written), 8000)
         return True
@@ -160,7 +168,7 @@ class ExportPanel(TaskPanel):
         options = {key: macro_recorder.text(value) for key, value in chosen.items() if value}
         words = macro_recorder.obj(pattern), macro_recorder.text(name)
         macro_recorder.call("tool_paths", *words, result=paths, **options)
-        preferences.put_machine(pattern.Document, name)
+        self._remember(name)
         self.close()
         return True
 
