@@ -100,7 +100,9 @@ def core_study(obj, table: study_table.Table) -> Study:
     if not rows:
         raise InputError(f"No row of {obj.Table.Label} makes sense: {next(iter(table.rows.values()))}")
     shared = {BALLOON: obj.Balloon.Name}
-    return Study((INPUT, VALUES), rows, task=TASK, own=(VALUES,), shared=shared, folder=folder(obj))
+    return Study(
+        (INPUT, VALUES), rows, task=TASK, own=(VALUES,), shared=shared, folder=folder(obj), hashed=True
+    )
 
 
 def folder(obj) -> Path:

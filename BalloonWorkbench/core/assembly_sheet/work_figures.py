@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from BalloonWorkbench.core.assembly_sheet.pen import ACCENT, BAND, INK, SOFT
-from BalloonWorkbench.core.geometry.polyline import line_lengths, point_on
+from BalloonWorkbench.core.geometry.polyline import bounds, line_lengths, point_on, ring
 from BalloonWorkbench.core.geometry.vectors import direction, perpendicular, rotation
 from BalloonWorkbench.core.pages.pdf import draw_line, picture
 from BalloonWorkbench.core.pattern.intake.kinds import RIM, intake_kind
@@ -80,7 +80,7 @@ def pattern_stage(axes: Any, box: Box, hanging: bool, pattern: Pattern) -> Figur
     turn = rotation(-0.5 * np.pi - intake.angle) if intake is not None and neck and hanging else np.eye(2)
     cut = max(pattern.of(Role.CUT), key=lambda each: float(np.prod(np.ptp(each.points, axis=0))))
     own = cut.points @ turn
-    low, high = own.min(axis=0), own.max(axis=0)
+    low, high = bounds(own)
     left, bottom, right, top = box
     room = (1.0 - 2.0 * _ROOM) * np.array([right - left, top - bottom])
     scale = float(np.min(room / (high - low)))
@@ -179,7 +179,7 @@ def _opened(stage: FigureStage) -> None:
 def _leak(stage: FigureStage) -> None:
     """Bubbles on the seam, one of them marked, and a tube to a hose in which water stands higher."""
     stage.draw()
-    rim = np.vstack([stage.outline, stage.outline[:1]])
+    rim = ring(stage.outline)
     ends = line_lengths(rim)
     for number, place in enumerate(point_on(rim, ends, ends[-1] * np.array(_BUBBLES))):
         for shift, size in (((0.0, 0.0), 3.6), ((1.2, 0.9), 2.4), ((-1.0, 1.1), 2.0)):

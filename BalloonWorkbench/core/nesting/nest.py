@@ -226,7 +226,7 @@ def _search(package: Any, instance: Any, config: Any, goal: float | None, progre
     usable = (package.ReportType.ExplFeas, package.ReportType.CmprFeas, package.ReportType.Final)
     best: list[Any] = []
 
-    def look(*_: object) -> None:
+    def look() -> None:
         for kind, solution in queue.drain():
             if kind in usable and (not best or solution.width < best[-1].width):
                 best.append(solution)
@@ -236,26 +236,40 @@ def _search(package: Any, instance: Any, config: Any, goal: float | None, progre
         if reached or not progress(share, status):
             raise _Enough
 
-    if threading.current_thread() is not threading.main_thread():
-        return _beside(instance, config, queue, look, best)
-    former = signal.signal(_SIGNAL, look)
-    done = threading.Event()
-    bell = threading.Thread(target=_ring, args=(done,), name="nesting", daemon=True)
-    bell.start()
+    here = threading.current_thread() is threading.main_thread()
     try:
-        outcome = _solved(instance, config, queue)
-    except _Enough:  # the bell rang just after the search had ended
+        return (_in_main_thread if here else _beside)(instance, config, queue, look)
+    except _Enough:
         if not best:
             raise Cancelled("The layout was stopped; nothing was changed.") from None
-        outcome = best[-1]
+        return best[-1]
+
+
+def _in_main_thread(instance: Any, config: Any, queue: Any, look: Callable[[], None]) -> Any:
+    """The search in the main thread."""
+    done = threading.Event()
+
+    def on_tick(*_: object) -> None:
+        if done.is_set():  # the last tick, after the end
+            return
+        try:
+            look()
+        except _Enough:
+            done.set()
+            raise
+
+    former = signal.signal(_SIGNAL, on_tick)
+    timer = threading.Thread(target=_tick, args=(done,), name="nesting", daemon=True)
+    timer.start()
+    try:
+        return _solved(instance, config, queue)
     finally:
         done.set()
-        bell.join()
+        timer.join()
         signal.signal(_SIGNAL, former or signal.SIG_DFL)
-    return outcome
 
 
-def _beside(instance: Any, config: Any, queue: Any, look: Callable[[], None], best: list[Any]) -> Any:
+def _beside(instance: Any, config: Any, queue: Any, look: Callable[[], None]) -> Any:
     """The search in a thread beside this one."""
     ended: list[Any] = []
     failed: list[BaseException] = []
@@ -268,14 +282,9 @@ def _beside(instance: Any, config: Any, queue: Any, look: Callable[[], None], be
 
     worker = threading.Thread(target=search, name="nesting")
     worker.start()
-    try:
-        while worker.is_alive():
-            worker.join(_LOOK)
-            look()
-    except _Enough:
-        if not best:
-            raise Cancelled("The layout was stopped; nothing was changed.") from None
-        return best[-1]
+    while worker.is_alive():
+        worker.join(_LOOK)
+        look()
     if failed:
         raise failed[0]
     return ended[0]
@@ -291,6 +300,6 @@ def _solved(instance: Any, config: Any, queue: Any) -> Any:
         raise SolverError("The layout failed: give the pieces more room.") from error
 
 
-def _ring(done: threading.Event) -> None:
+def _tick(done: threading.Event) -> None:
     while not done.wait(_LOOK):
         _thread.interrupt_main(_SIGNAL)

@@ -14,6 +14,7 @@ import numpy as np
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.files.data_file import UNUSABLE, read_data
 from BalloonWorkbench.core.geometry.areas import parts
+from BalloonWorkbench.core.geometry.polyline import extent
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import LENGTH_UNITS, from_mm, length_text, to_mm
@@ -92,7 +93,7 @@ def _area(shape: Mapping[str, Any], unit: float) -> Any:
     for loop in loops:
         if loop.ndim != 2 or loop.shape[1] != 2 or not 3 <= len(loop) <= _MOST_POINTS:
             raise InputError("a loop is no list of at least three points [x, y].")
-    size = float(np.ptp(loops[0], axis=0).max())
+    size = extent(loops[0])
     if not size <= _MOST_FILM:
         raise InputError(f"film {length_text(size)} large is too much: are these numbers in the right unit?")
     area = shapely().Polygon(loops[0], loops[1:])

@@ -83,7 +83,8 @@ class _Reader:
             raise InputError("The row has no input: give it the name of a drawing.")
         command = values.pop(COMMAND, Value()).arguments or (DESIGN,)
         meaning = {name: value.meaning for name, value in values.items()}
-        own: dict[str, Any] = {INPUT: place.meaning, COMMAND: command[0], "keep": study.keep}
+        named = place.meaning[0] if study.hashed else place.meaning
+        own: dict[str, Any] = {INPUT: named, COMMAND: command[0], "keep": study.keep}
         arguments = [argument for value in values.values() for argument in value.arguments]
         request: dict[str, Any] = {
             "arguments": [command[0], place.arguments[0], *arguments],

@@ -33,6 +33,7 @@ class Study:
     folder   from which files are looked for
     task     what works out a row: see Job
     own      columns that are no options: the task reads them; shared: what else it gets with each row
+    hashed   inputs are named after a hash of what counts in them: their other bytes do not matter
     """
 
     columns: tuple[str, ...]
@@ -42,6 +43,7 @@ class Study:
     task: str = BALLOON
     own: tuple[str, ...] = ()
     shared: Mapping[str, Any] = field(default_factory=dict)
+    hashed: bool = False
 
     def __post_init__(self) -> None:
         if INPUT not in self.columns:

@@ -3,8 +3,10 @@
 
 from __future__ import annotations
 
+import _thread
 import io
 import math
+import threading
 import time
 from dataclasses import replace
 from itertools import combinations
@@ -139,6 +141,23 @@ def test_stopping_takes_what_there_is() -> None:
     (layout,), _ = nest(pieces, Stock(0.32), lambda share, text: not (asked.append(text) or "mm" in text))
     hold(layout, pieces)
     assert "so far" in asked[-1]
+
+
+@RIGHT
+@pytest.mark.parametrize("ticks", [1, 3])
+def test_a_stop_that_comes_after_the_end_is_too_late(ticks: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The search is over and its timer ticks on: on a busy machine that happens."""
+
+    def late(done: threading.Event) -> None:
+        done.wait()
+        for _ in range(ticks):
+            _thread.interrupt_main(nesting._SIGNAL)
+
+    monkeypatch.setattr(nesting, "_tick", late)
+    monkeypatch.setattr(nesting, "_LIMIT", 1)
+    pieces = [Piece(HEART, 2)]
+    (layout,), _ = nest(pieces, Stock(0.32), lambda share, text: False)
+    hold(layout, pieces)
 
 
 @pytest.mark.parametrize("grain", list(GrainRule))
@@ -295,5 +314,5 @@ def test_what_ends_the_search_in_its_thread_is_told(
             raise raised
 
     with pytest.raises(told):
-        nesting._beside(Search(), None, None, lambda: None, [])
+        nesting._beside(Search(), None, None, lambda: None)
     assert not capfd.readouterr().err

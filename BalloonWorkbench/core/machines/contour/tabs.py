@@ -14,6 +14,7 @@ import numpy as np
 
 from BalloonWorkbench.core.arcs.curves import Curve
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.geometry.polyline import extent, gaps
 from BalloonWorkbench.core.machines.contour.start_point import CLEAR, places_along, turning
 from BalloonWorkbench.core.machines.machine import Machine
 from BalloonWorkbench.core.machines.order import CUTS
@@ -63,7 +64,7 @@ def is_held(contour: Contour, machine: Machine) -> bool:
         machine.tabs.tabs > 0.0
         and contour.closed
         and contour.role in CUTS
-        and (below is None or float(np.ptp(contour.points, axis=0).max()) <= below)
+        and (below is None or extent(contour.points) <= below)
     )
 
 
@@ -115,12 +116,12 @@ def _chosen(rows: Floats, off: Floats, fits: Bools, reach: float) -> list[int]:
           stretches, at most reach; a stretch without a place that fits has none, nor has one too near others
     """
     count, chosen = rows.shape[1], list[int]()
+    numbers = np.arange(count, dtype=np.float64)
     apart = count / (4.0 * len(off))
     for each in off:
         free = fits & (each <= reach)
         for other in {*chosen[:1], *chosen[-1:]}:
-            away = np.abs(np.arange(count) - other)
-            free &= np.minimum(away, count - away) >= apart
+            free &= gaps(numbers, numbers[other], count) >= apart
         places = np.flatnonzero(free)
         if len(places):
             keys = [*rows[:, places], np.round(each[places], _DIGITS)]
