@@ -75,7 +75,7 @@ users() {
 }
 
 pytest_has_ended() {
-    grep -qE '[0-9]+ passed' "$1" || { echo "The process ended before pytest did." && return 1; }
+    grep -qaE '[0-9]+ (passed|failed|errors?)\b.* in [0-9.]+s' "$1"
 }
 
 # FreeCAD reports an exception in its log and goes on; a test that looked elsewhere would not notice.
@@ -88,14 +88,18 @@ freecad_log_is_clean() {
 
 # Run one step: its log, and its line of the summary.
 check() {
-    local step=$1 log=$logs/$1${SUITE:-}.log started=$SECONDS status counts word=ok
+    local step=$1 log=$logs/$1${SUITE:-}.log started=$SECONDS status counts word=ok early=
     "$step" </dev/null 2>&1 | tee "$log"
     status=${PIPESTATUS[0]}
-    [ "$step" = lint ] || [ "$status" -ne 0 ] || pytest_has_ended "$log" || status=1
+    if [ "$step" != lint ] && ! pytest_has_ended "$log"; then
+        early="  the process ended with $status before pytest did, after: $(grep -a . "$log" | tail -n 3 | cut -c -200 | paste -sd'|')"
+        [ "$status" -ne 0 ] || status=1
+    fi
     case $step in app | gui | users) freecad_log_is_clean "$log" || status=1 ;; esac
     counts=$(grep -aoE '[0-9]+ (passed|failed|skipped|errors?)\b.* in [0-9.]+s' "$log" | paste -sd';')
     [ "$status" -eq 0 ] || word="FAILED ($status)"
     printf '%-5s %-12s %4d s  %s\n' "$step" "$word" $((SECONDS - started)) "$counts" >"$scratch/$step.summary"
+    [ -z "$early" ] || echo "$early" >>"$scratch/$step.summary"
     grep -aE '^(FAILED|ERROR) ' "$log" | cut -c -300 | sed 's/^/  /' >>"$scratch/$step.summary"
     return "$status"
 }
