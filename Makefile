@@ -71,6 +71,7 @@ pictures: native ## Make the pictures of the guide anew, in docs/images
 	@BALLOON_TESTS="tests/gui/paint/test_paint.py tests/gui/paint/test_paint_fish.py tests/gui/commands/test_examples.py tests/gui/many_panels/test_tutorial_bodies.py" tools/test.sh gui
 	@cp build/pictures/tutorial-*.png docs/images
 	@$(PYTHON) tools/tutorial_pictures.py
+	@tools/in-window.sh build/pages tools/page_pictures.py
 	@$(PYTHON) tools/make_figures.py
 
 # Files, outlines, options, kills: as many as it takes a night to try. The last lines put faults into the engine.

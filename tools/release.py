@@ -40,6 +40,7 @@ PARTS = (
             "docs/tutorial.md",
             "docs/tutorial-bodies.md",
             "docs/tutorial-machines.md",
+            "docs/tutorial-engineers.md",
             "docs/freecad.md",
             "docs/command-line.md",
             "docs/machines.md",
