@@ -13,7 +13,8 @@ from dataclasses import replace
 from BalloonWorkbench.app.properties.property_table import Property
 from BalloonWorkbench.app.shapes.pattern_shape import DIRECTION
 from BalloonWorkbench.core.errors import OutlineError
-from BalloonWorkbench.core.options.pattern import LOW
+from BalloonWorkbench.core.options.option import option_of
+from BalloonWorkbench.core.options.pattern import LOW, PatternOptions
 
 PROPERTIES = (
     Property(
@@ -42,7 +43,7 @@ def take(parts, repair) -> None:
         return
     if repair.kind is RepairKind.LOWER_INTAKE:
         parts.pattern.IntakeAuto = True
-        parts.pattern.IntakeAutoPlace = LOW
+        parts.pattern.IntakeAutoPlace = option_of(PatternOptions, "intake_place").title(LOW)
         return
     entry = {**repair_data(repair), "of_mm": parts.outline.DrawnSize}
     parts.outline.Repairs = [*parts.outline.Repairs, json.dumps(entry)]

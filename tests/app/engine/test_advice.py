@@ -110,3 +110,13 @@ def test_intake_moves(parts):
     assert parts.pattern.IntakeAngle.Value == pytest.approx(180)
     parts.pattern.recompute()
     assert parts.pattern.Status == status.READY
+
+
+@pytest.mark.parametrize("kind", [kind for kind in RepairKind if kind.is_of_intake])
+def test_each_repair_of_the_intake_makes_a_pattern(parts, kind):
+    """Also one that nothing in these tests happens to be advised."""
+    before = parts.pattern.IntakeAngle.Value
+    repairs.take(parts, Repair(kind, np.zeros((1, 2)), 1.0))
+    parts.balloon.Document.recompute()
+    assert parts.pattern.Status == status.READY
+    assert parts.pattern.IntakeAngle.Value != before
