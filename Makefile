@@ -54,6 +54,7 @@ validation bench: export PYTHONPATH := $(CURDIR):$(CURDIR)/tests/core:$(CURDIR)/
 validation: native ## Compare with every reference solution, write docs/validation.md
 	@tools/install-debian-packages.sh debian-packages-validation.txt
 	@$(PYTHON) benchmarks/validate.py
+	@BALLOON_SCRIPTS=all BALLOON_TESTS=tests/app/document/test_example_scripts.py tools/test.sh app
 
 # BENCH gives other sizes: BENCH="--sizes 500 2000 --evolver-sizes 2000 10000" make bench
 # or the strokes of the paint window alone: BENCH=--strokes make bench

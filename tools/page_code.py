@@ -11,9 +11,9 @@ DOCS = ROOT / "docs"
 IMAGES = DOCS / "images"
 EXAMPLES = ROOT / "resources" / "examples"
 #: Enough to see that code runs: few triangles, and a balloon that is not corrected.
-_COARSE = 'mesh_size="60 mm", mode="Inflate as drawn"'
+_COARSE = 'mesh_size="{} mm", mode="Inflate as drawn"'
 _BLOCK = re.compile(r"^```python\n(.*?)^```$", re.MULTILINE | re.DOTALL)
-_MESH = re.compile(r'mesh_size="[^"]*"')
+_MESH = re.compile(r'mesh_size="(\d+) mm"')
 
 
 def blocks(page: str) -> list[str]:
@@ -23,7 +23,7 @@ def blocks(page: str) -> list[str]:
 
 def coarse(code: str) -> str:
     """The same code, with balloons that take a moment."""
-    return _MESH.sub(_COARSE, code)
+    return _MESH.sub(lambda size: _COARSE.format(2 * int(size[1])), code)
 
 
 def run(code: str, name: str, known: dict) -> None:

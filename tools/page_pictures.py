@@ -21,6 +21,7 @@ import page_code
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets
 
 SIZE = 1100, 700  # px
+EXAMPLE = 640, 400  # px
 _COLOURS = 64
 
 
@@ -101,6 +102,32 @@ def engineers():
     App.closeDocument(doc.Name)
 
 
+#: Which show more from the front and above than from above.
+_SOLID = ("sphere", "airship", "pumpkin", "pouch", "housing", "cow", "letter")
+
+
+def examples():
+    """The scripts of the examples: what each has made."""
+    from PIL import Image
+
+    from BalloonWorkbench.gui.view3d.fit_view import fit_all
+
+    for script in sorted((page_code.EXAMPLES / "scripts").glob("*.py")):
+        known = {}
+        page_code.run(script.read_text(encoding="utf-8"), script.name, known)
+        view = Gui.activeDocument().activeView()
+        view.viewIsometric() if script.stem in _SOLID else view.viewTop()
+        fit_all()
+        wait(0.5)
+        path = page_code.IMAGES / f"example-{script.stem}.png"
+        view.saveImage(str(path), *EXAMPLE, "White")
+        with Image.open(path) as shown:
+            small = shown.convert("RGB").quantize(_COLOURS)
+        small.save(path, optimize=True)
+        sys.stderr.write(f"{script.stem}: {[obj.Status for obj in known['made']]}\n")
+        App.closeDocument(known["doc"].Name)
+
+
 def run():
     """Make the pages that are asked for, and end the program."""
     code = 1
@@ -112,7 +139,7 @@ def run():
         main.showNormal()
         main.setGeometry(0, 0, *SIZE)
         wait(0.5)
-        for name in os.environ.get("PAGES", "engineers").split():
+        for name in os.environ.get("PAGES", "engineers examples").split():
             globals()[name]()
         code = 0
     finally:

@@ -41,6 +41,7 @@ PARTS = (
             "docs/tutorial-bodies.md",
             "docs/tutorial-machines.md",
             "docs/tutorial-engineers.md",
+            "docs/examples.md",
             "docs/freecad.md",
             "docs/command-line.md",
             "docs/machines.md",
@@ -48,7 +49,7 @@ PARTS = (
             "docs/studies.md",
             "docs/api.md",
         ),
-        *("docs/help", "docs/images/fish.png", "docs/images/tutorial-*.png"),
+        *("docs/help", "docs/images/fish.png", "docs/images/tutorial-*.png", "docs/images/example-*.png"),
     ),
 )
 PARTS_LIST = "parts.cdx.json"
