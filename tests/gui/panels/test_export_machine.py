@@ -245,10 +245,15 @@ def test_tool_paths_come_into_the_document_and_one_undo_takes_them_back(made, st
     lines = lines_of_macro(stand_in)
     hands.press("Ok")
     hands.wait_until(hands.panel_is_closed)
-    (paths,) = document.Objects[before:]
+    (job,) = (obj for obj in document.Objects[before:] if obj.Name.startswith("Job"))
+    (paths,) = job.Operations.Group
     assert "M4 S400" in paths.Path.toGCode()
+    assert job.ViewObject.Proxy and paths.ViewObject.Proxy and paths.ViewObject.Icon
     (positional, named), *_ = lines
     assert positional == ("tool_paths", macro_recorder.obj(made.pattern), '"foil"')
-    assert named == {"result": [paths]}
+    assert named == {"result": [job]}
+    document.undo()
+    assert len(document.Objects) == before
+    document.redo()
     document.undo()
     assert len(document.Objects) == before
