@@ -201,7 +201,7 @@ def tool_paths(
 
     machine, one that reads G-code, and all others as for `export`; one job for each film. Raises ExportError.
     """
-    from BalloonWorkbench.app.engine import tool_paths as paths
+    from BalloonWorkbench.app.machines import tool_paths as paths
 
     return _done[-1] if _done else paths.tool_paths(obj, machine, bed, oversize, tabs, tabs_below)
 

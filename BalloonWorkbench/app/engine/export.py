@@ -6,8 +6,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from BalloonWorkbench.app.document.kinds import is_artwork
-from BalloonWorkbench.app.engine.bed import scale_to_bed
 from BalloonWorkbench.app.engine.cut_sheet import insist_on_ready, patterns_in, sheet
+from BalloonWorkbench.app.machines.bed import scale_to_bed
 from BalloonWorkbench.core.errors import ExportError, InputError
 
 

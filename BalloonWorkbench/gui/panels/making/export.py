@@ -10,10 +10,10 @@ import FreeCADGui as Gui
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document.kinds import is_panel, leader
 from BalloonWorkbench.app.document.parts import parts_of
-from BalloonWorkbench.app.engine import bed
 from BalloonWorkbench.app.engine.cut_sheet import patterns_in
 from BalloonWorkbench.app.engine.export import export_for, files_of
-from BalloonWorkbench.app.engine.tool_paths import add_jobs, job_file
+from BalloonWorkbench.app.machines import bed
+from BalloonWorkbench.app.machines.tool_paths import add_jobs, job_file
 from BalloonWorkbench.app.properties import preferences
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.options.making import REFUSE
