@@ -76,15 +76,18 @@ def _other_findings(pattern_obj, made_for) -> tuple:
     )
 
 
-def files_of(pattern_obj, path) -> list[Path]:
+def files_of(pattern_obj, path, oversize: str = "refuse") -> list[Path]:
     """The files that `export_for` writes for a path: what is cut from another film has one of its own.
 
-    Raises what `sheet` raises.
+    Of a pattern that may be split, with all numbered ones that are there: those of an earlier split that are
+    not written anew belong to another balloon. Raises what `sheet` raises.
     """
-    from BalloonWorkbench.core.machines.machine_file import file_of_stock
+    from BalloonWorkbench.core.machines.machine_file import file_of_stock, numbered_files
+    from BalloonWorkbench.core.options.making import SPLIT
 
     path, (_, *others) = Path(path), sheet(pattern_obj).stocks
-    return [path, *(path.with_name(file_of_stock(path.name, stock)) for stock in others)]
+    files = [path, *(path.with_name(file_of_stock(path.name, stock)) for stock in others)]
+    return [*files, *(each for file in files for each in numbered_files(file) if oversize == SPLIT)]
 
 
 def export_for(

@@ -131,7 +131,7 @@ class ExportPanel(TaskPanel):
         made_for, paper, oversize = self.machine.machine, self.machine.paper, self.machine.oversize
         own_bed, tabs = self.machine.own_bed, self.machine.tabs.texts
         try:
-            objection = self.file.objection(files_of(self.pattern(), self.file.path))
+            objection = self.file.objection(files_of(self.pattern(), self.file.path, oversize))
             if objection:
                 self.message.setText(objection)
                 return False
