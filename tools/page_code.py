@@ -10,8 +10,8 @@ ROOT = Path(__file__).resolve().parents[1]
 DOCS = ROOT / "docs"
 IMAGES = DOCS / "images"
 EXAMPLES = ROOT / "resources" / "examples"
-#: Enough to see that code runs: few triangles, and a balloon that is not corrected.
-_COARSE = 'mesh_size="{} mm", mode="Inflate as drawn"'
+#: Enough to see that code runs: few triangles, a balloon that is not corrected, a pattern of short lines.
+_COARSE = 'mesh_size="{} mm", mode="Inflate as drawn", arcs=False'
 _BLOCK = re.compile(r"^```python\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 _MESH = re.compile(r'mesh_size="(\d+) mm"')
 

@@ -21,7 +21,7 @@ import page_code
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets
 
 SIZE = 1100, 700  # px
-EXAMPLE = 640, 400  # px
+EXAMPLE = 640  # px, width
 _COLOURS = 64
 
 
@@ -120,9 +120,10 @@ def examples():
         fit_all()
         wait(0.5)
         path = page_code.IMAGES / f"example-{script.stem}.png"
-        view.saveImage(str(path), *EXAMPLE, "White")
+        view.saveImage(str(path), *view.getSize(), "White")  # in other proportions it would be cut off
         with Image.open(path) as shown:
-            small = shown.convert("RGB").quantize(_COLOURS)
+            width, height = EXAMPLE, round(EXAMPLE * shown.height / shown.width)
+            small = shown.convert("RGB").resize((width, height)).quantize(_COLOURS)
         small.save(path, optimize=True)
         sys.stderr.write(f"{script.stem}: {[obj.Status for obj in known['made']]}\n")
         App.closeDocument(known["doc"].Name)
