@@ -107,14 +107,14 @@ def cam_operation(job, steps):
         kind = _cam("PathScripts.PathCustomGui", "Path.Op.Gui.Custom").Command.res
         operation.ViewObject.Proxy = views.ViewProvider(operation.ViewObject, kind)
 
-    lines, place = [], {}
+    path, lines, place = _cam("Path", "Path"), [], {}
     for name, words in steps:
         place.update({letter: value for letter, value in words.items() if letter in "XYZ"})
         arc = name in ("G2", "G3")  # of which the simulator of 0.20 needs all three
         numbers = {**place, **words} if arc else dict(words)
         if "F" in numbers:
             numbers["F"] /= 60.0
-        lines.append(" ".join([name, *(f"{letter}{value:.6f}" for letter, value in numbers.items())]))
+        lines.append(path.Command(name, numbers).toGCode())
     operation.Gcode = lines
     return operation
 
