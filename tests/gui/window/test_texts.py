@@ -48,7 +48,7 @@ def test_tooltips_of_commands_show_no_address():
 
 
 PANELS = ("Advice", "Animate", "Artwork", "AssemblySheet", "ColourMap", "Compare", "ExportPattern", "Nest")
-PANELS += ("Study",)
+PANELS += ("ExportForWeb", "Study")
 
 
 def test_nothing_shows_an_address(made):
