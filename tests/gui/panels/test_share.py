@@ -7,7 +7,9 @@ import pytest
 import sketches
 
 from BalloonWorkbench.app.document import create
-from BalloonWorkbench.core.shared import animation
+from BalloonWorkbench.core.shared import animation, sharing
+from BalloonWorkbench.gui.panels.results import animation as animation_panel
+from BalloonWorkbench.gui.view3d import inflation_player
 from BalloonWorkbench.gui.window import macro_recorder
 
 KINDS = {"html": b"<!DOCTYPE html>", "glb": b"glTF", "png": b"\x89PNG"}
@@ -35,8 +37,9 @@ def run(name):
     hands.wait_until(hands.panel_is_seen)
 
 
-def test_each_kind_is_written(made, macro, tmp_path):
+def test_each_kind_is_written(made, macro, tmp_path, monkeypatch):
     """A folder that is a file keeps the panel open with a sentence; a file that is there is asked about."""
+    monkeypatch.setattr(sharing, "_LARGE", (160, 120))
     for row, (kind, begin) in enumerate(KINDS.items()):
         run("ExportForWeb")
         hands.find("SharedKind").setCurrentIndex(row)
@@ -65,6 +68,8 @@ def test_each_kind_is_written(made, macro, tmp_path):
 
 def test_the_inflation_is_saved(made, tmp_path, stand_in, monkeypatch):
     """The frames that were played, as a GIF; where nothing writes an MP4 a sentence says what to do."""
+    for module in (inflation_player, animation_panel):
+        monkeypatch.setattr(module, "FRAMES", 4)
     run("Animate")
     hands.wait_until(lambda: hands.find("SaveAnimation").isVisible())
     chosen = []
