@@ -4,6 +4,8 @@
 import json
 import re
 import struct
+import zlib
+from dataclasses import replace
 
 import FreeCAD as App
 import numpy as np
@@ -12,10 +14,13 @@ import sketches
 
 import BalloonWorkbench
 from BalloonWorkbench.app.document import create
+from BalloonWorkbench.app.drawings.drawing_file import KEY
 from BalloonWorkbench.app.engine import film_result
 from BalloonWorkbench.app.pattern import build
+from BalloonWorkbench.app.sharing.finished_job import finished_job
 from BalloonWorkbench.core.artwork.files import png_bytes
 from BalloonWorkbench.core.errors import ExportError
+from BalloonWorkbench.core.geometry.polyline import bounds
 from BalloonWorkbench.core.shared import sharing
 from BalloonWorkbench.core.tracing.picture_file import decode
 
@@ -90,7 +95,7 @@ def test_the_model_has_the_vertices_of_the_document(parts, tmp_path):
 def test_gores_too(doc, tmp_path):
     """Upright, as they are seen: the same places with their axes exchanged."""
     made = BalloonWorkbench.from_profile(
-        doc, gore_length="300 mm", gores=6, mesh_size="60 mm", mode="Inflate as drawn"
+        doc, gore_length="300 mm", gores=4, mesh_size="100 mm", mode="Inflate as drawn"
     )
     found = vertices(BalloonWorkbench.share(made, tmp_path / "gores.glb"))
     inflation, _ = film_result.stored(made.balloon)
@@ -119,6 +124,44 @@ def test_print_and_ground(parts, picture, tmp_path, monkeypatch):
     assert min(len(blue), len(red)) > 5_000
     assert blue.mean() < 0.6 * red.mean()
     assert blue.max() < np.median(red)
+
+
+def test_what_is_painted_is_there_without_an_artwork(doc, tmp_path):
+    """A disc painted blue and green on nothing, in its colours where it was painted."""
+    y, x = np.mgrid[:80, :80] - 39.5
+    pixels = np.zeros((80, 80, 4), np.uint8)
+    pixels[np.hypot(x, y) < 35] = (20, 40, 200, 255)
+    pixels[(np.hypot(x, y) < 35) & (x > 0)] = (20, 150, 30, 255)
+    content = png_bytes(pixels, 100.0)
+    body = b"tEXt" + KEY.encode() + b"\0strokes"  # as the paint window writes it
+    chunk = struct.pack(">I", len(body) - 4) + body + struct.pack(">I", zlib.crc32(body))
+    head = content.index(b"IDAT") - 4
+    (tmp_path / "painting.png").write_bytes(content[:head] + chunk + content[head:])
+    made = BalloonWorkbench.from_picture(
+        doc, tmp_path / "painting.png", width="100 mm", mesh_size="20 mm", mode="Inflate as drawn"
+    )
+    scene, _ = read_glb(BalloonWorkbench.share(made, tmp_path / "balloon.glb"))
+    assert len(scene["images"]) == 1
+    front = finished_job(made).printed.front
+    outline, _ = bounds(finished_job(made).balloon.design.target.outer)
+    columns, rows = front.columns_rows(outline + np.array([[0.03, 0.05], [0.07, 0.05], [-0.01, 0.05]]))
+    colours = front.pixels[np.rint(rows).astype(int), np.maximum(np.rint(columns).astype(int), 0)]
+    assert (colours[:2] == [(20, 40, 200, 255), (20, 150, 30, 255)]).all()
+    assert colours[2, 0] > colours[2, 2]  # bare film is red
+
+
+def test_a_print_keeps_its_place_on_the_film(parts, picture):
+    """Flat film is wider than the balloon: each vertex has the same place in the picture all the same."""
+    BalloonWorkbench.artwork(parts.pattern, picture=str(picture), resolution=50)
+    job = finished_job(parts)
+    rest = job.balloon.design.inflation
+    flat = np.column_stack([rest.panel.rest_positions, np.zeros(len(rest.positions))])
+    states = [rest, replace(rest, positions=flat)]
+    make = sharing.surfaces(job.balloon, job.printed)
+    for blown, before in zip(*(make([state])[0] for state in states), strict=True):
+        assert np.array_equal(blown.places, before.places)
+        assert np.ptp(before.positions[:, 0]) > 1.02 * np.ptp(blown.positions[:, 0])
+        assert np.ptp(blown.places[:, 0]) > 0.5
 
 
 def test_the_page_needs_no_network(parts, tmp_path):
