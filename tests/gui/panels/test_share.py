@@ -50,7 +50,7 @@ def test_each_kind_is_written(made, macro, tmp_path, monkeypatch):
         hands.wait_until(lambda: "blocked" in hands.find("ShareMessage").text())
         hands.type_into(hands.find("SharedFile"), str(tmp_path / "mine"), confirm=False)
         if kind == "png":
-            hands.click(hands.find("TransparentGround"))
+            hands.tick(hands.find("TransparentGround"))
             hands.screenshot("export_for_web")
         hands.press("Ok")
         hands.wait_until(hands.panel_is_closed)
