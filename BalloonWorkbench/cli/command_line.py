@@ -249,11 +249,15 @@ class _Run:
             if made is not None:
                 contents |= made[0]
                 lines += [self.say(f"Check: {remark}") for remark in made[1]]
-        if refused and len(refused) == len(asked):
-            raise ExportError("\n".join([*map(str, refused), *bed.ways_on(balloon, chosen)]))
-        self._left_out += [*map(str, refused), *(bed.ways_on(balloon, chosen) if refused else [])]
+        told = [*map(str, refused), *(bed.ways_on(balloon, chosen) if refused else [])]
+        nothing = bool(refused) and len(refused) == len(asked)
+        if nothing and options.nest is None and options.on_remnant is None:
+            raise ExportError("\n".join(told))
         more = self._attempt("The rest of the job", lambda: make(balloon, chosen, progress, self._attempt))
         files, remarks = more or ({}, [])
+        if nothing and not any(name.startswith("nested") for name in files):  # nor laid out on film
+            raise ExportError("\n".join(told))
+        self._left_out += told
         return contents | files, [*lines, *remarks]
 
     def _attempt(self, what: str, make: Callable[[], Made], /) -> Made | None:

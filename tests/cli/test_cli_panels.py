@@ -199,6 +199,22 @@ def test_everything_that_is_made_of_a_bag(
     assert "at 40 dpi, all panels" in text
 
 
+def test_what_is_too_large_in_one_piece_is_laid_out_on_film(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Side by side the panels are larger than the bed: sheets are what is cut, refused where they are too."""
+    monkeypatch.setattr(nesting, "PACKAGE", "no_such_package")  # rows: quick
+    out = tmp_path / "out"
+    asked = ["inflate", str(BAGS / "pouch.json"), "--out", str(out), "--machine", "lightburn"]
+    asked += ["--mesh-size", "20mm", "--only", "report", "--bed", "330 x 330 mm"]
+    assert main([*asked, "--nest", "320x320mm"]) == 0
+    names = {path.name for path in out.glob("*lightburn*")}
+    assert names == {"nested-pattern-lightburn_mm.dxf", "nested-2-pattern-lightburn_mm.dxf"}
+    assert "Note: No file for LightBurn (laser): The pattern measures" in capsys.readouterr().out
+    assert main([*asked, "--nest", "1mx1m"]) == 2
+    assert "the bed of LightBurn (laser) 330 x 330 mm" in capsys.readouterr().err
+
+
 @pytest.mark.usefixtures("with_freecad")
 def test_a_document_is_made(tmp_path: Path) -> None:
     """By FreeCAD, where it is installed; the panels' corners lie on half micrometres."""
