@@ -44,6 +44,7 @@ def _plug_in():
     hooks.attach_view = attach_view.attach_view
     hooks.run_blocking = blocking.run_blocking
     hooks.say = sentences.translated
+    hooks.language = sentences.language
     hooks.show_error = borders.show_error
     borders.watch()
     Gui.addIconPath(qt.ICONS)

@@ -292,6 +292,18 @@ def assembly_sheet(made: Parts, path, paper: str = "A4", machine: str | None = N
 
 
 @_bordered
+def share(made: Parts, path, transparent: bool = False) -> Path:
+    """Write a balloon as it is shown, with what is printed on it, for others; returns the file.
+
+    The ending says what: .glb a 3D model, .html a page that turns it under the mouse and needs no network,
+    .png a picture on white (or transparent), .gif or .mp4 its inflation. Raises BalloonError.
+    """
+    from BalloonWorkbench.app.sharing.share import write_shared
+
+    return Path(path) if _done else write_shared(made, path, transparent=transparent)
+
+
+@_bordered
 def test_card(machine: str, folder, bed: str | None = None, **tried) -> list[Path]:
     """Write the files of a card on which a machine's tool tries settings into a folder; returns them.
 

@@ -120,10 +120,16 @@ def on_balloon(balloon_obj):
     obj = of_balloon(balloon_obj)
     if obj is None or not status.is_ready(obj) or has_many_panels(balloon_obj):
         return None
+    return tuple(PaintedArtwork(each.pixels, to_mm(each.low), to_mm(each.pixel)) for each in in_place(obj))
+
+
+def in_place(obj) -> tuple:
+    """The core's Pictures on front and back of two equal panels, the back's as it is seen through the front.
+
+    InputError where there is nothing to print.
+    """
     front, behind = _pictures(obj)
-    return tuple(
-        PaintedArtwork(each.pixels, to_mm(each.low), to_mm(each.pixel)) for each in (front, behind or front)
-    )
+    return front, behind or front
 
 
 def sheets(obj, dpi: float | None = None):

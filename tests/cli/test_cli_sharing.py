@@ -127,5 +127,5 @@ def test_what_cannot_be_animated_is_left_out_with_a_sentence(
     asked = ("--mesh-size", "60mm", "--animation", "mp4", "--only", "report")
     assert main(["inflate", str(bag), "--out", str(tmp_path), *asked]) == 0
     report = json.loads((tmp_path / "report.json").read_text(encoding="utf-8"))
-    assert any("--animation gif" in warning for warning in report["warnings"])
+    assert any("choose a GIF" in warning for warning in report["warnings"])
     assert not (tmp_path / "inflation.mp4").exists()

@@ -39,7 +39,10 @@ def comparing(parts, photo, scale: str, rim=None, fit: bool = False):
             raise InputError(
                 f"{obj.Label} is not up to date. {status.problem(obj)} Repair that and recompute."
             )
-    measured, made = parse_photo_scale(scale), (_design(parts.balloon), pattern.build(parts.pattern))
+    measured, made = (
+        parse_photo_scale(scale),
+        (film_result.design(parts.balloon), pattern.build(parts.pattern)),
+    )
     usual = rim_of(film.read(parts.balloon), pattern.values(parts.pattern))
     beyond = usual if rim is None else _rim(rim)
     settings = balloon.request(parts.balloon).settings
@@ -109,29 +112,6 @@ def _rim(value) -> float:
     if not 0.0 <= rim <= from_mm(1e3):
         raise InputError("The rim is the width of the weld and of the film beside it: give 0 to 1 m.")
     return rim
-
-
-def _design(balloon):
-    """The stored balloon as a core's Design."""
-    from BalloonWorkbench.app.shapes import part_shapes
-    from BalloonWorkbench.core.design.design import Design, Residual
-    from BalloonWorkbench.core.design.silhouette import silhouette
-    from BalloonWorkbench.core.units import from_mm
-
-    inflation, _ = film_result.stored(balloon)
-    apart = (balloon.ResidualMean.Value, balloon.ResidualP95.Value, balloon.ResidualMax.Value)
-    return Design(
-        target=film_result.drawing(balloon),
-        pattern=part_shapes.stored(balloon, "Seam"),
-        inflation=inflation,
-        silhouette=silhouette(inflation),
-        residual=Residual(*map(from_mm, apart)),
-        passes=balloon.Passes,
-        meshes=1,
-        seconds=0.0,
-        reached=balloon.Reached,
-        warnings=(),
-    )
 
 
 def _inflated(settings, progress, seam, pressure: float):

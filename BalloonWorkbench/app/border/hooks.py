@@ -20,6 +20,11 @@ def say(text: str) -> str:
     return text
 
 
+def language() -> str:
+    """The language of `say`, as in "de"."""
+    return "en"
+
+
 def report(error: BalloonError, about: str = "") -> None:
     """A line in the report view. Red or orange ones open it, so only a fault of the program is red."""
     write = App.Console.PrintError if isinstance(error, ProgramFault) else App.Console.PrintMessage

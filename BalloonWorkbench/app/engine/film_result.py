@@ -196,6 +196,29 @@ def drawing(obj):
     return outline.map(lambda loop: loop * scale)
 
 
+def design(obj):
+    """The result of two equal panels as the core's Design. Raises what `stored` raises."""
+    from BalloonWorkbench.app.shapes import part_shapes
+    from BalloonWorkbench.core.design.design import Design, Residual
+    from BalloonWorkbench.core.design.silhouette import silhouette
+    from BalloonWorkbench.core.units import from_mm
+
+    inflation, _ = stored(obj)
+    apart = (obj.ResidualMean.Value, obj.ResidualP95.Value, obj.ResidualMax.Value)
+    return Design(
+        target=drawing(obj),
+        pattern=part_shapes.stored(obj, "Seam"),
+        inflation=inflation,
+        silhouette=silhouette(inflation),
+        residual=Residual(*map(from_mm, apart)),
+        passes=obj.Passes,
+        meshes=1,
+        seconds=0.0,
+        reached=obj.Reached,
+        warnings=(),
+    )
+
+
 def _vectors(points) -> list:
     import numpy as np
 

@@ -24,7 +24,7 @@ def chosen(obj) -> tuple:
     if not path:
         raise InputError("There is no picture to print: choose one, as the balloon has none of its own.")
     own = bool(drawing) and (path == drawing or Path(path).read_bytes() == Path(drawing).read_bytes())
-    return _finished(obj), Artwork(
+    return finished(obj.Pattern), Artwork(
         pixels_of(file_of(path)),
         own,
         pixels_of(file_of(obj.BackPicture)) if obj.BackPicture else None,
@@ -35,7 +35,7 @@ def chosen(obj) -> tuple:
     )
 
 
-def _finished(obj):
+def finished(pattern_obj):
     """The balloon and its patterns as a finished job."""
     from BalloonWorkbench.app.engine import bag_result
     from BalloonWorkbench.app.pattern import bag_patterns
@@ -43,9 +43,9 @@ def _finished(obj):
     from BalloonWorkbench.core.bag_job import BagPart, FinishedBags
     from BalloonWorkbench.core.job import Settings
 
-    balloon = obj.Pattern.Balloon
+    balloon = pattern_obj.Balloon
     design, _ = bag_result.stored(balloon)
-    part = BagPart(design, bag_patterns(obj.Pattern), None)
+    part = BagPart(design, bag_patterns(pattern_obj), None)
     return FinishedBags(Settings(film=film.read(balloon)), (part,), {})
 
 
@@ -90,4 +90,4 @@ def pattern(obj):
     from BalloonWorkbench.core.products import panels_to_print
 
     marks = marks_for(obj.MarksFor.strip())
-    return panels_to_print(_finished(obj).parts, metres(obj.Bleed), marks)[1]
+    return panels_to_print(finished(obj.Pattern).parts, metres(obj.Bleed), marks)[1]

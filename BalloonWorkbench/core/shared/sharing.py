@@ -3,13 +3,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
+from numpy.typing import NDArray
 
-from BalloonWorkbench.core.artwork.carry import VisibleFilm
 from BalloonWorkbench.core.artwork.files import png_bytes
-from BalloonWorkbench.core.artwork.picture import Picture
 from BalloonWorkbench.core.assembly_sheet.blocks import line_names
 from BalloonWorkbench.core.assembly_sheet.texts import figures, material
 from BalloonWorkbench.core.bag_job import BagPart, FinishedBags
@@ -29,8 +29,8 @@ from BalloonWorkbench.core.scenes.surface_mesh import (
     small_picture,
     two_panel_meshes,
 )
-from BalloonWorkbench.core.solver.inflation import MIRROR
-from BalloonWorkbench.core.types import Say, in_english
+from BalloonWorkbench.core.solver.inflation import MIRROR, Inflation
+from BalloonWorkbench.core.types import Floats, Say, in_english
 from BalloonWorkbench.core.units import length_text, size_text, volume_text
 from BalloonWorkbench.core.web_pages.balloon_page import BalloonPage, NamedTable, balloon_page
 
@@ -38,58 +38,113 @@ from BalloonWorkbench.core.web_pages.balloon_page import BalloonPage, NamedTable
 GLB, PAGE = "balloon.glb", "report.html"
 #: Of the page's picture: width, height, dots per inch.
 _PICTURE, _DPI = (720, 540), 96.0
-#: Side of a small picture [pixels].
-_SMALL = 96
+#: Width and height of a picture by itself, and the side of a small one [pixels].
+_LARGE, _SMALL = (1600, 1200), 96
+_PAPER = 255
 #: The balloons of a job by their names.
 Shown = Mapping[str, Sequence[SurfaceMesh]]
+#: What is printed: pictures to be laid on the film, or of two equal panels those that are in their place.
+Printed = Artwork | Painted
+#: Gives the surfaces of each balloon of a job, from the state of each.
+Surfaces = Callable[[Sequence[Inflation]], list[list[SurfaceMesh]]]
 
 
-def shown(balloon: Balloon | FinishedBags, title: str, artwork: Artwork | None = None) -> Shown:
+def shown(balloon: Balloon | FinishedBags, title: str, artwork: Printed | None = None) -> Shown:
     """The balloons of a job as they are seen: with what is printed on them, else in their film's colour.
 
     Raises what of_drawing raises.
     """
     names = [title] if len(balloon.parts) == 1 else [f"{title} {k}" for k in range(1, len(balloon.parts) + 1)]
-    meshes = _bags(balloon, artwork) if isinstance(balloon, FinishedBags) else _two_panels(balloon, artwork)
+    meshes = surfaces(balloon, artwork)([design.inflation for design in balloon.designs])
     return dict(zip(names, meshes, strict=True))
 
 
-def glb_file(balloon: Balloon | FinishedBags, title: str, artwork: Artwork | None = None) -> bytes:
+def surfaces(balloon: Balloon | FinishedBags, artwork: Printed | None = None) -> Surfaces:
+    """The surfaces of a job's balloons in any state on the way to theirs.
+
+    What is printed stays where it is on the film: that is where it is seen on the balloons of the job.
+    Raises what of_drawing raises.
+    """
+    if isinstance(balloon, FinishedBags):
+        return _bags(balloon, artwork)
+    return _two_panels(balloon, artwork)
+
+
+def glb_file(balloon: Balloon | FinishedBags, title: str, artwork: Printed | None = None) -> bytes:
     """All balloons of a job as a GLB file. Raises what `shown` raises."""
     return glb_bytes(title, shown(balloon, title, artwork))
 
 
-def _two_panels(balloon: Balloon, artwork: Artwork | None) -> list[list[SurfaceMesh]]:
-    painted = Painted()
-    if artwork is not None:
+def picture_file(
+    balloon: Balloon | FinishedBags, artwork: Printed | None = None, *, transparent: bool = False
+) -> bytes:
+    """All balloons of a job as a PNG, on white or on nothing. Raises what `shown` raises."""
+    meshes = [mesh for each in shown(balloon, "", artwork).values() for mesh in each]
+    picture = meshes_picture(meshes, *_LARGE)
+    pixels = np.rint(255.0 * picture).astype(np.uint8)
+    if not transparent:
+        pixels[..., :3], pixels[..., 3] = on_white(picture), 255
+    return png_bytes(pixels, _DPI)
+
+
+def on_white(picture: Floats) -> NDArray[np.uint8]:
+    """Pixels (height, width, 3) of a picture (height, width, 4), values 0 to 1, laid on white."""
+    share = picture[..., 3:]
+    return np.rint(255.0 * share * picture[..., :3] + _PAPER * (1.0 - share)).astype(np.uint8)
+
+
+def _two_panels(balloon: Balloon, artwork: Printed | None) -> Surfaces:
+    painted = Painted() if artwork is None else _painted(balloon, artwork)
+    seal_width, look = balloon.patterns[0].seal_width, balloon.settings.film.look
+    own = two_panel_meshes([design.inflation for design in balloon.designs], seal_width, look, painted)
+
+    def make(inflations: Sequence[Inflation]) -> list[list[SurfaceMesh]]:
+        moved = two_panel_meshes(inflations, seal_width, look, painted)
+        return [
+            [replace(mesh, places=before.places) for mesh, before in zip(meshes, at_rest, strict=True)]
+            for meshes, at_rest in zip(moved, own, strict=True)
+        ]
+
+    return make
+
+
+def _painted(balloon: Balloon, artwork: Printed) -> Painted:
+    if isinstance(artwork, Painted):
+        front, behind = artwork.front, artwork.behind
+    else:
         front, behind = pictures_of(box_of(balloon), artwork)
-        small = small_picture(front)
-        painted = Painted(small, small if behind is None else small_picture(behind))
-    inflations = [design.inflation for design in balloon.designs]
-    seal_width = balloon.patterns[0].seal_width
-    return two_panel_meshes(inflations, seal_width, balloon.settings.film.look, painted)
+        behind = behind or front
+    small = {id(each): small_picture(each) for each in (front, behind) if each is not None}
+    return Painted(small.get(id(front)), small.get(id(behind)))
 
 
-def _bags(bags: FinishedBags, artwork: Artwork | None) -> list[list[SurfaceMesh]]:
+def _bags(bags: FinishedBags, artwork: Printed | None) -> Surfaces:
     look = bags.settings.film.look
-    meshes = []
+    prints = []
     for part in bags.parts:
-        printed = [] if artwork is None else pictures_on(bags, artwork, part.design, part.patterns.panels)
-        small = {key: small_picture(picture) for key, picture in _by_identity(printed).items()}
-        meshes.append(
-            bag_meshes(part.design, look, [(film, small[id(picture)]) for film, picture in printed])
+        printed = (
+            pictures_on(bags, artwork, part.design, part.patterns.panels)
+            if isinstance(artwork, Artwork)
+            else []
         )
-    return meshes
+        pictures = {id(picture): picture for _, picture in printed}
+        small = {key: small_picture(picture) for key, picture in pictures.items()}
+        prints.append([(film, small[id(picture)]) for film, picture in printed])
 
+    def make(inflations: Sequence[Inflation]) -> list[list[SurfaceMesh]]:
+        states = zip(bags.designs, inflations, prints, strict=True)
+        return [
+            bag_meshes(replace(design, inflation=inflation), look, printed)
+            for design, inflation, printed in states
+        ]
 
-def _by_identity(printed: Sequence[tuple[VisibleFilm, Picture]]) -> dict[int, Picture]:
-    return {id(picture): picture for _, picture in printed}
+    return make
 
 
 def page_file(
     balloon: Balloon | FinishedBags,
     title: str,
-    artwork: Artwork | None = None,
+    artwork: Printed | None = None,
     say: Say = in_english,
     language: str = "en",
 ) -> bytes:

@@ -26,6 +26,7 @@ from BalloonWorkbench.gui.commands.results import (
     Animate,
     ColourMapCommand,
     CompareCommand,
+    ExportForWeb,
     StudyCommand,
 )
 
@@ -44,6 +45,7 @@ _COMMANDS = {
     "BalloonWorkbench_Nest": Nest,
     "BalloonWorkbench_ExportPattern": ExportPattern,
     "BalloonWorkbench_AssemblySheet": AssemblySheet,
+    "BalloonWorkbench_ExportForWeb": ExportForWeb,
     "BalloonWorkbench_Compare": CompareCommand,
 }
 

@@ -9,6 +9,7 @@ import FreeCADGui as Gui
 from BalloonWorkbench.app.host import help_text
 from BalloonWorkbench.gui.qt import HELP, QtCore, icon
 from BalloonWorkbench.gui.window import borders
+from BalloonWorkbench.gui.window.sentences import language
 
 #: B for balloon, then a letter that FreeCAD's own workbenches leave free.
 _KEYS = {
@@ -108,7 +109,7 @@ def _turn() -> None:
 
 def _page_of(name: str):
     """The file of a page in the window's language, in English where there is none."""
-    own = HELP / Gui.supportedLocales().get(Gui.getLocale(), "en") / f"{name}.html"
+    own = HELP / language() / f"{name}.html"
     return own if own.is_file() else HELP / f"{name}.html"
 
 

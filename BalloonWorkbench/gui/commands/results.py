@@ -99,6 +99,23 @@ class StudyCommand(ResultCommand):
             show(StudyPanel(chosen))
 
 
+class ExportForWeb(ResultCommand):
+    """Opens the panel that writes the selected balloon for others."""
+
+    drawing = "share"
+    menu_text = QT_TRANSLATE_NOOP("BalloonWorkbench_ExportForWeb", "Export for the web")
+    tool_tip = QT_TRANSLATE_NOOP(
+        "BalloonWorkbench_ExportForWeb",
+        "Write the balloon with its artwork as a web page that turns it, as a 3D model or as a picture",
+    )
+
+    def Activated(self):
+        from BalloonWorkbench.gui.panels import show
+        from BalloonWorkbench.gui.panels.results.share import SharePanel
+
+        show(SharePanel(solved_parts()))
+
+
 class CompareCommand(ResultCommand):
     """Opens the panel that compares the selected balloon with a photograph."""
 

@@ -33,6 +33,7 @@ _MOST = 700  # vertices; a finer panel is meshed anew, so that nobody waits long
 class Strip:
     """A balloon on its way from flat to rest."""
 
+    rest: Inflation
     skin: Skin
     frames: tuple[Frame, ...]
     positions: tuple[np.ndarray, ...]
@@ -66,7 +67,9 @@ class StripRequest:
         )
         skin = skin_from(inflation, self.film)
         positions = tuple(_all_panels(frame, mirror=inflation.assembly.mirror) for frame in frames)
-        return Strip(skin, frames, positions, tuple(normals(places, skin.triangles) for places in positions))
+        return Strip(
+            inflation, skin, frames, positions, tuple(normals(places, skin.triangles) for places in positions)
+        )
 
     def _body(self) -> tuple[Panel | Assembly, np.ndarray | None, Lift | None]:
         """What is blown up, where its vertices lie at rest, and its lift."""

@@ -53,6 +53,18 @@ def ask_for_picture(parent, *more: str) -> str | None:
     return _ask(parent, translate("Choose a picture"), _kind(translate("Pictures"), _PICTURES + more))
 
 
+def ask_for_moving_picture(parent, path: str) -> str | None:
+    """The path of a GIF or an MP4 to be written, where `path` is offered; None where the user does not choose
+    one. A name without one of their endings gets that of the kind that was chosen.
+    """
+    kinds = {f"{name} (*.{ending})": f".{ending}" for name, ending in (("GIF", "gif"), ("MP4", "mp4"))}
+    title = translate("Save the inflation")
+    chosen, kind = QtWidgets.QFileDialog.getSaveFileName(parent, title, path, ";;".join(kinds))
+    if not chosen or chosen.lower().endswith(tuple(kinds.values())):
+        return chosen or None
+    return chosen + kinds.get(kind, ".gif")
+
+
 def _ask(parent, title: str, kinds: str) -> str | None:
     pictures = QtCore.QStandardPaths.writableLocation(QtCore.QStandardPaths.PicturesLocation)
     folder = preferences.open_folder() or pictures

@@ -7,6 +7,8 @@ in; here they are recognised by their form, translated, and filled again.
 
 from __future__ import annotations
 
+import FreeCADGui as Gui
+
 from BalloonWorkbench.core.language import sentence_forms
 from BalloonWorkbench.core.language.speech import listed
 from BalloonWorkbench.gui.qt import translate
@@ -15,3 +17,8 @@ from BalloonWorkbench.gui.qt import translate
 def translated(text: str) -> str:
     """A text of the engine in the user's language; one that is not known stays as it is."""
     return sentence_forms.translated(text, listed(), translate)
+
+
+def language() -> str:
+    """That of the window, as in "de"."""
+    return Gui.supportedLocales().get(Gui.getLocale(), "en")

@@ -8,7 +8,8 @@ import pytest
 from PySide import QtSvg
 
 COMMANDS = ("FromPicture", "FromSketch", "FromProfile", "FromBody", "FromPanels", "Advice", "ColourMap")
-COMMANDS += ("Animate", "Study", "Artwork", "Nest", "ExportPattern", "AssemblySheet", "Compare")
+COMMANDS += ("Animate", "Study", "Artwork", "Nest", "ExportPattern", "AssemblySheet")
+COMMANDS += ("ExportForWeb", "Compare")
 TEXTS = [
     "Paint a balloon",
     "New balloon from picture",
@@ -24,6 +25,7 @@ TEXTS = [
     "Lay out on film",
     "Export pattern",
     "Assembly sheet",
+    "Export for the web",
     "Compare with a photograph",
 ]
 
@@ -72,6 +74,7 @@ def test_commands_are_offered_when_they_make_sense():
         "Nest": False,
         "ExportPattern": False,
         "AssemblySheet": False,
+        "ExportForWeb": False,
         "Compare": False,
     }
     App.newDocument("Empty")

@@ -40,6 +40,7 @@ def test_panels(made, beat):
         "Artwork",
         "Nest",
         "AssemblySheet",
+        "ExportForWeb",
         "Study",
         "Compare",
         "Machines",

@@ -128,6 +128,7 @@ COMMANDS = (
     "Nest",
     "Study",
     "AssemblySheet",
+    "ExportForWeb",
     "ColourMap",
     "Animate",
     "Compare",

@@ -5,14 +5,20 @@ from __future__ import annotations
 
 import FreeCADGui as Gui
 
+from BalloonWorkbench.app.properties import preferences
+from BalloonWorkbench.app.sharing.share import write_shared
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.units import number_text
 from BalloonWorkbench.gui.long_work.worker import Worker
 from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel
+from BalloonWorkbench.gui.panels.widgets.target_file import name_of
 from BalloonWorkbench.gui.panels.widgets.watch import Watch
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon, number_of, translate
 from BalloonWorkbench.gui.view3d.inflation_player import FRAMES, Player, request_of
+from BalloonWorkbench.gui.window import macro_recorder
 from BalloonWorkbench.gui.window.borders import TaskPanel
+from BalloonWorkbench.gui.window.file_dialogs import ask_for_moving_picture
+from BalloonWorkbench.gui.window.sentences import translated
 from BalloonWorkbench.gui.window.user_units import pressure_text
 
 _BEAT = 40  # ms between frames
@@ -48,16 +54,20 @@ class AnimationPanel(TaskPanel):
             translate("Frames are even in movement, not in time. Only the film has mass, the gas has none.")
         )
         self.note.setWordWrap(True)
+        self.save = QtWidgets.QPushButton(translate("Save as GIF or MP4"))
+        self.save.setObjectName("SaveAnimation")
+        self.save.setToolTip(translate("Write these frames as a moving picture, with the artwork, on white"))
         self.message = WrappedLabel()
         self.message.setObjectName("AnimationMessage")
         column = QtWidgets.QVBoxLayout(self.form)
-        for widget in (self.bar, self.play, self.slider, self.frame_text, self.note, self.message):
+        for widget in (self.bar, self.play, self.slider, self.frame_text, self.note, self.save, self.message):
             column.addWidget(widget)
         self.timer = QtCore.QTimer(self.form)
         self.timer.setInterval(_BEAT)
         self.timer.timeout.connect(self.next_frame)
         self.play.toggled.connect(self.set_playing)
         self.slider.valueChanged.connect(self.show_frame)
+        self.save.clicked.connect(lambda _checked=False: self.save_frames())
         self.slider.sliderPressed.connect(lambda: self.play.setChecked(False))
         self.watch = Watch(parts, self.close)
         self._ready(False)
@@ -144,9 +154,30 @@ class AnimationPanel(TaskPanel):
             )
         )
 
+    def save_frames(self) -> None:
+        """Ask for a file and write the frames; below stands what came of it."""
+        self.play.setChecked(False)
+        balloon, strip = self.parts.balloon, self.player.strip
+        folder = preferences.export_folder(balloon.Document)
+        asked = ask_for_moving_picture(self.form, str(folder / f"{name_of(balloon)}.gif"))
+        if asked is None or self.player is None:
+            return
+        self.form.setEnabled(False)
+        try:
+            written = write_shared(self.parts, asked, blown=((strip.rest, strip.frames),))
+        except BalloonError as error:
+            self.message.setText(translated(str(error)))
+            return
+        finally:
+            self.form.setEnabled(True)
+        preferences.put_export_folder(balloon.Document, written.parent)
+        words = f"BalloonWorkbench.parts({macro_recorder.obj(balloon)})", macro_recorder.text(written)
+        macro_recorder.call("share", *words)
+        self.message.setText(translate("Written to {}").format(written))
+
     def _ready(self, ready: bool) -> None:
         self.bar.setVisible(not ready)
-        for widget in (self.play, self.slider, self.frame_text):
+        for widget in (self.play, self.slider, self.frame_text, self.save):
             widget.setVisible(ready)
         self.play.setText(translate("Play"))
         if ready:
