@@ -26,6 +26,7 @@ from BalloonWorkbench.gui.commands.results import (
     Animate,
     ColourMapCommand,
     CompareCommand,
+    PatternViewCommand,
     StudyCommand,
 )
 
@@ -37,6 +38,7 @@ _COMMANDS = {
     "BalloonWorkbench_FromBody": FromBody,
     "BalloonWorkbench_FromPanels": FromPanels,
     "BalloonWorkbench_Advice": AdviceCommand,
+    "BalloonWorkbench_PatternView": PatternViewCommand,
     "BalloonWorkbench_ColourMap": ColourMapCommand,
     "BalloonWorkbench_Animate": Animate,
     "BalloonWorkbench_Study": StudyCommand,

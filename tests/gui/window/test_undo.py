@@ -147,7 +147,7 @@ CHANGES = {
 LOOKS = {"ColourMap": look, "Animate": look, "Equipment": look, "ExportPattern": export}
 LOOKS |= {"AssemblySheet": write_sheet, "Machines": look, "TestCard": look, "Compare": look}
 #: It has a window of its own; these open documents of their own; tests/gui/many_panels undoes the others.
-OTHERS = {"Paint", "Examples", "FromProfile", "FromBody", "FromPanels"}
+OTHERS = {"Paint", "PatternView", "Examples", "FromProfile", "FromBody", "FromPanels"}
 
 
 def run(name, work, document):
