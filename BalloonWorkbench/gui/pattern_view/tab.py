@@ -41,7 +41,6 @@ def open_tab(obj) -> PatternTab:
         _tabs.append(tab)
         frame = area.addSubWindow(tab)
         frame.setAttribute(QtCore.Qt.WA_DeleteOnClose)
-        frame.aboutToActivate.connect(partial(QtCore.QTimer.singleShot, 0, tab.bring_document))
         frame.setWindowIcon(drawn_icon("pattern_view"))
         frame.showMaximized()
     area.setActiveSubWindow(tab.parentWidget())
@@ -100,7 +99,7 @@ class PatternTab(QtWidgets.QWidget):
         if self.obj.Document.Recomputing:
             self._soon.start(_PATIENCE)
             return
-        self.setWindowTitle(translate("{}: pieces").format(self.obj.Label))
+        self.setWindowTitle(translate("{}: {}, flat").format(self.obj.Document.Label, self.obj.Label))
         problem = status.problem(self.obj)
         try:
             drawn = None if problem else pieces(self.obj)
@@ -114,13 +113,6 @@ class PatternTab(QtWidgets.QWidget):
             self.line.setText(translated(problem))
         else:
             self._tell_tool(self.view.measuring)
-
-    def bring_document(self) -> None:
-        """The tab comes to the front, and so does its document: commands are about what is seen."""
-        if self.obj is not None and App.ActiveDocument != self.obj.Document:
-            App.setActiveDocument(self.obj.Document.Name)  # its 3D view comes with it
-            frame = self.parentWidget()
-            frame.mdiArea().setActiveSubWindow(frame)
 
     def leave(self) -> None:
         """The object is being deleted: the tab closes when FreeCAD is done with that."""

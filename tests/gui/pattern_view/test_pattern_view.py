@@ -129,11 +129,9 @@ def test_two_documents_have_a_tab_each(made, box):
     area = Gui.getMainWindow().findChild(hands.QtWidgets.QMdiArea)
     for tab in (one, other, one):
         area.setActiveSubWindow(tab.parentWidget())
-        hands.wait_until(lambda tab=tab: App.ActiveDocument == tab.obj.Document, 5)
-        assert area.activeSubWindow().widget() is tab
-        assert tab.parentWidget().isMaximized()
+        hands.wait_until(lambda tab=tab: tab.isVisible() and tab.parentWidget().isMaximized(), 5)
         click(tab, middle(tab.view.pieces.edges[0]))
-        (chosen,) = Gui.Selection.getSelection()
+        (chosen,) = Gui.Selection.getSelection("*")
         assert chosen.Document == tab.obj.Document
     App.closeDocument(box.pattern.Document.Name)
     hands.wait_until(lambda: tabs._tabs == [one], 5)
