@@ -9,4 +9,9 @@ set -euo pipefail
 exec env -u WAYLAND_DISPLAY QT_QPA_PLATFORM=xcb LIBGL_ALWAYS_SOFTWARE=1 XDG_RUNTIME_DIR= \
     timeout --kill-after=30 4700 \
     xvfb-run --auto-servernum --server-num=$((100 + $$ % 30000)) --server-args="-screen 0 ${SCREEN:-1920x1080}x24 -noreset" \
-    "$(dirname "$(realpath "$0")")/in-freecad.sh" "$1" freecad "$2"
+    bash -c '
+        "$0" "$1" freecad "$2" && exit
+        status=$?
+        kill -0 $(cat "/tmp/.X${DISPLAY#:}-lock") 2>/dev/null || printf "\nThe screen was lost.\n"
+        exit "$status"
+    ' "$(dirname "$(realpath "$0")")/in-freecad.sh" "$1" "$2"

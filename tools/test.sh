@@ -86,11 +86,21 @@ freecad_log_is_clean() {
     fi
 }
 
+# The screen that is made for the window has died, as it can on a machine that is short of memory.
+screen_was_lost() {
+    ! pytest_has_ended "$1" && grep -qa '^The screen was lost' "$1"
+}
+
 # Run one step: its log, and its line of the summary.
 check() {
     local step=$1 log=$logs/$1${SUITE:-}.log started=$SECONDS status counts word=ok early=
     "$step" </dev/null 2>&1 | tee "$log"
     status=${PIPESTATUS[0]}
+    if screen_was_lost "$log"; then
+        echo "Once more, with a new screen."
+        "$step" </dev/null 2>&1 | tee "$log"
+        status=${PIPESTATUS[0]}
+    fi
     if [ "$step" != lint ] && ! pytest_has_ended "$log"; then
         early="  the process ended with $status before pytest did, after: $(grep -a . "$log" | tail -n 3 | cut -c -200 | paste -sd'|')"
         [ "$status" -ne 0 ] || status=1

@@ -197,12 +197,13 @@ def tool_paths(
     tabs: str | None = None,
     tabs_below: str | None = None,
 ) -> list:
-    """Objects of FreeCAD's workbench Path (CAM since 1.0) with the moves of a pattern's G-code.
+    """Jobs of FreeCAD's workbench Path (CAM since 1.0) with the moves of a pattern's G-code.
 
-    machine, one that reads G-code, and all others as for `export`; one object for each film. Raises
-    ExportError.
+    machine, one that reads G-code, and all others as for `export`; one job for each film. Raises ExportError.
     """
-    return _done[-1] if _done else writer.tool_paths(obj, machine, bed, oversize, tabs, tabs_below)
+    from BalloonWorkbench.app.machines import tool_paths as paths
+
+    return _done[-1] if _done else paths.tool_paths(obj, machine, bed, oversize, tabs, tabs_below)
 
 
 @_bordered

@@ -67,20 +67,56 @@ def mesh_from_arrays(positions, triangles):
     return mesh
 
 
-def path_of(steps):
-    """The Path of steps, each a G-code with its words in mm and mm/min; FreeCAD counts feeds in mm/s.
+def _cam(of_0_20: str, since: str):
+    """A module of the workbench Path, which is CAM since 1.0, by both names; ExportError without it."""
+    import importlib
 
-    ExportError where this FreeCAD has no workbench Path, which is CAM since 1.0.
-    """
     try:
-        import Path
+        importlib.import_module("Path")  # knows where the others are
+        try:
+            return importlib.import_module(since)
+        except ImportError:
+            return importlib.import_module(of_0_20)
     except ImportError as error:
         raise ExportError("This FreeCAD lacks the workbench Path (CAM since 1.0): install it.") from error
 
-    def inside(words) -> dict:
-        return {letter: value / 60.0 if letter == "F" else value for letter, value in words.items()}
 
-    return Path.Path([Path.Command(name, inside(words)) for name, words in steps])
+def cam_job(model):
+    """A job of the workbench Path or CAM for a model of its document, with a tool controller. ExportError."""
+    job = _cam("PathScripts.PathJob", "Path.Main.Job").Create("Job", [model])
+    if job.ViewObject is not None:
+        job.ViewObject.Proxy = _cam("PathScripts.PathJobGui", "Path.Main.Gui.Job").ViewProvider(
+            job.ViewObject
+        )
+        job.ViewObject.addExtension("Gui::ViewProviderGroupExtensionPython")
+        job.ViewObject.Proxy.deleteOnReject = False  # it is no draft that a dialog may throw away
+        from draftutils.todo import ToDo
+
+        ToDo.doTasks()  # of the clone of the model, while its document is there
+    return job
+
+
+def cam_operation(job, steps):
+    """An operation of a job, each step a G-code with its words in mm and mm/min. ExportError.
+
+    FreeCAD counts feeds in mm/s.
+    """
+    operation = _cam("PathScripts.PathCustom", "Path.Op.Custom").Create("ToolPaths", None, job)
+    if operation.ViewObject is not None:
+        views = _cam("PathScripts.PathOpGui", "Path.Op.Gui.Base")
+        kind = _cam("PathScripts.PathCustomGui", "Path.Op.Gui.Custom").Command.res
+        operation.ViewObject.Proxy = views.ViewProvider(operation.ViewObject, kind)
+
+    lines, place = [], {}
+    for name, words in steps:
+        place.update({letter: value for letter, value in words.items() if letter in "XYZ"})
+        arc = name in ("G2", "G3")  # of which the simulator of 0.20 needs all three
+        numbers = {**place, **words} if arc else dict(words)
+        if "F" in numbers:
+            numbers["F"] /= 60.0
+        lines.append(" ".join([name, *(f"{letter}{value:.6f}" for letter, value in numbers.items())]))
+    operation.Gcode = lines
+    return operation
 
 
 def has_material_system() -> bool:

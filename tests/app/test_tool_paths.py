@@ -55,10 +55,26 @@ def post_of():
 @pytest.mark.parametrize("name", ["beam", "tip"])
 def test_freecads_post_processor_writes_the_same_moves(doc, own, tmp_path, name):
     made = create.balloon_from_sketch(doc, sketches.ring(doc), mesh_size=20, correct=False)
-    (paths,) = BalloonWorkbench.tool_paths(made.pattern, name)
+    before = {obj.Name for obj in doc.Objects}
+    (job,) = BalloonWorkbench.tool_paths(made.pattern, name)
+    (paths,) = job.Operations.Group
     assert paths.TypeId.startswith("Path::Feature")
+    assert (paths.Active, paths.ToolController) == (True, job.Tools.Group[0]), "as its simulator asks"
+    assert [obj.Label for obj in doc.Objects if obj.Name not in before and not obj.isValid()] == []
+    arcs = [each for each in paths.Path.Commands if each.Name in ("G2", "G3")]
+    assert arcs, "or nothing is tried here"
+    if name == "tip":
+        assert all(None not in (each.x, each.y, each.z) for each in arcs), (
+            "as the simulator of 0.20 needs them"
+        )
+    film, lines = job.Stock.Shape.BoundBox, paths.Path.BoundBox
+    assert film.ZMax == pytest.approx(0.0, abs=1e-6)
+    assert film.XMin <= lines.XMin < lines.XMax <= film.XMax
+    assert film.YMin <= lines.YMin < lines.YMax <= film.YMax
+    started = [each for each in job.Tools.Group[0].Path.Commands if each.Name in ("M3", "M4")]
+    assert not started, "no beam is on before the moves"
     written = tmp_path / "post.gcode"
-    post_of().export([paths], str(written), "--no-show-editor --no-header")
+    post_of().export([*job.Tools.Group, paths], str(written), "--no-show-editor --no-header")
     ours = Controller("grbl", name == "beam").read(export_for(made.pattern, name, tmp_path).read_bytes())
     read = Controller("grbl", name == "beam").read(written.read_bytes())
     assert len(read.strokes) == len(ours.strokes) > 0

@@ -137,8 +137,9 @@ class Controller:
         assert self.absolute and self.unit, "units and coordinates are not stated"
         goal = np.array([values.get("X", self.at[0] / self.unit), values.get("Y", self.at[1] / self.unit)])
         goal = goal * self.unit
-        if "Z" in values:
-            assert not set(values) & set("XYIJ"), "down and along at once"
+        if set(values) & set("XYIJ"):
+            assert "Z" not in values or values["Z"] * self.unit == self.z, "down and along at once"
+        elif "Z" in values:
             self.z = values["Z"] * self.unit
             self.run.heights.append(self.z)
             if not self.down:

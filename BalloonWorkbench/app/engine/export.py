@@ -5,14 +5,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from BalloonWorkbench.app import host
 from BalloonWorkbench.app.document.kinds import is_artwork
-from BalloonWorkbench.app.engine.bed import scale_to_bed
 from BalloonWorkbench.app.engine.cut_sheet import insist_on_ready, patterns_in, sheet
+from BalloonWorkbench.app.machines.bed import scale_to_bed
 from BalloonWorkbench.core.errors import ExportError, InputError
-
-#: What a post processor of FreeCAD says itself: units, modes, the end.
-_OF_POSTS = ("G17", "G21", "G40", "G49", "G54", "G64", "G90", "G91.1", "G94", "M2")
 
 
 def export_pattern(pattern_obj, target) -> Path:
@@ -40,7 +36,7 @@ def check_for(pattern_obj, machine_name: str, bed=None, oversize: str = "refuse"
     from BalloonWorkbench.app.border import hooks
     from BalloonWorkbench.core.machines.preflight import ERROR, preflight
 
-    made_for, pattern = _machine(machine_name, bed, tabs, tabs_below), sheet(pattern_obj)
+    made_for, pattern = machine_of(machine_name, bed, tabs, tabs_below), sheet(pattern_obj)
     parts = [pattern.of_stock(stock) for stock in pattern.stocks]
 
     def findings(_progress) -> list:
@@ -51,7 +47,7 @@ def check_for(pattern_obj, machine_name: str, bed=None, oversize: str = "refuse"
     return tuple(sorted(each_once, key=lambda finding: finding.severity != ERROR))
 
 
-def _machine(name: str, bed: str | None, tabs: str | None, tabs_below: str | None):
+def machine_of(name: str, bed: str | None, tabs: str | None, tabs_below: str | None):
     """The machine of a name with another bed, and with tabs: lengths as text, such as "0.4 mm"."""
     from BalloonWorkbench.core.machines.contour.tabs import with_tabs
     from BalloonWorkbench.core.machines.machine import machine
@@ -80,15 +76,18 @@ def _other_findings(pattern_obj, made_for) -> tuple:
     )
 
 
-def files_of(pattern_obj, path) -> list[Path]:
+def files_of(pattern_obj, path, oversize: str = "refuse") -> list[Path]:
     """The files that `export_for` writes for a path: what is cut from another film has one of its own.
 
-    Raises what `sheet` raises.
+    Of a pattern that may be split, with all numbered ones that are there: those of an earlier split that are
+    not written anew belong to another balloon. Raises what `sheet` raises.
     """
-    from BalloonWorkbench.core.machines.machine_file import file_of_stock
+    from BalloonWorkbench.core.machines.machine_file import file_of_stock, numbered_files
+    from BalloonWorkbench.core.options.making import SPLIT
 
     path, (_, *others) = Path(path), sheet(pattern_obj).stocks
-    return [path, *(path.with_name(file_of_stock(path.name, stock)) for stock in others)]
+    files = [path, *(path.with_name(file_of_stock(path.name, stock)) for stock in others)]
+    return [*files, *(each for file in files for each in numbered_files(file) if oversize == SPLIT)]
 
 
 def export_for(
@@ -122,7 +121,7 @@ def export_for(
         )
     if oversize == SCALE:
         scale_to_bed(pattern_obj, machine_name, bed)
-    made_for, pattern = _machine(machine_name, bed, tabs, tabs_below), sheet(pattern_obj)
+    made_for, pattern = machine_of(machine_name, bed, tabs, tabs_below), sheet(pattern_obj)
     doubts = _other_findings(pattern_obj, made_for)
     path = Path(target)
     if path.is_dir():
@@ -163,42 +162,6 @@ def _files(name: str, part, made_for, how: tuple, doubts) -> dict[str, bytes]:
         numbered_file(name, place): drawing_file(drawing, made_for, None, hooks.say)
         for place, drawing in enumerate(drawings(part, made_for, oversize), 1)
     }
-
-
-def tool_paths(
-    pattern_obj, machine_name: str, bed=None, oversize: str = "refuse", tabs=None, tabs_below=None
-) -> list:
-    """New objects of FreeCAD's workbench Path (CAM since 1.0) with the moves that `export_for` writes for a
-    machine that reads G-code, one for each film.
-
-    Raises ExportError, and makes none, when the machine cannot make the pattern, or this FreeCAD has no such
-    workbench.
-    """
-    from BalloonWorkbench.app.border import hooks
-    from BalloonWorkbench.core.machines.preflight import ERROR
-    from BalloonWorkbench.core.machines.toolpaths import draw
-    from BalloonWorkbench.core.machines.writers.moves import moves
-    from BalloonWorkbench.core.options.making import SPLIT
-
-    if oversize == SPLIT:
-        raise ExportError("Tool paths are not split over beds: write the G-code, or choose a larger bed.")
-    made_for, pattern = _machine(machine_name, bed, tabs, tabs_below), sheet(pattern_obj)
-    for finding in check_for(pattern_obj, machine_name, bed, oversize, tabs, tabs_below):
-        if finding.severity == ERROR:
-            raise ExportError(finding.text)
-
-    def steps_of(_progress) -> dict:
-        parts = {stock: pattern.of_stock(stock) for stock in pattern.stocks}
-        return {stock: moves(draw(part, made_for), made_for) for stock, part in parts.items()}
-
-    objects = []
-    for stock, steps in hooks.run_blocking("Making tool paths", steps_of).items():
-        path = host.path_of([(step.name, step.words) for step in steps if step.name not in ("", *_OF_POSTS)])
-        obj = pattern_obj.Document.addObject("Path::Feature", "ToolPaths")
-        obj.Label = f"{made_for.name} {stock}".strip()
-        obj.Path = path
-        objects.append(obj)
-    return objects
 
 
 def export_results(balloon_obj, target) -> Path:

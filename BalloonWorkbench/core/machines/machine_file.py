@@ -3,7 +3,9 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
+from pathlib import Path
 
 from BalloonWorkbench.core.errors import ExportError, MissingPackageError
 from BalloonWorkbench.core.film.film import Film
@@ -136,6 +138,13 @@ def numbered_file(name: str, number: int) -> str:
     """The name of the next file of several: "pattern-2.dxf"; the first has its own."""
     stem, _, ending = name.rpartition(".")
     return name if number == 1 else f"{stem}-{number}.{ending}"
+
+
+def numbered_files(first: Path) -> list[Path]:
+    """The files beside the first of several that are called as if they followed it."""
+    stem, _, ending = first.name.rpartition(".")
+    called = re.compile(rf"{re.escape(stem)}-[1-9]\d*\.{re.escape(ending)}")
+    return sorted(each for each in first.parent.glob("*") if called.fullmatch(each.name))
 
 
 def file_of_stock(name: str, stock: str) -> str:

@@ -39,6 +39,15 @@ def ask_for_remnant(parent) -> str | None:
     return _ask(parent, translate("Choose a remnant"), _kind(translate("Remnants"), ("json",)))
 
 
+def ask_where_to_keep_remnant(parent, path) -> str | None:
+    """The path for what is left of film, first offered `path`; None where the user does not choose one."""
+    kinds = _kind(translate("Remnants"), ("json",))
+    chosen, _ = QtWidgets.QFileDialog.getSaveFileName(
+        parent, translate("Keep what is left"), str(path), kinds
+    )
+    return chosen or None
+
+
 def ask_for_picture(parent, *more: str) -> str | None:
     """The path of a picture, also with more endings; None where the user does not choose one."""
     return _ask(parent, translate("Choose a picture"), _kind(translate("Pictures"), _PICTURES + more))

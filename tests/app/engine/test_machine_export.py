@@ -14,8 +14,8 @@ import BalloonWorkbench
 from BalloonWorkbench.app import film_sheet
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document import create
-from BalloonWorkbench.app.engine.bed import hindrance, scale_to_bed
 from BalloonWorkbench.app.engine.export import check_for, export_for
+from BalloonWorkbench.app.machines.bed import hindrance, scale_to_bed
 from BalloonWorkbench.app.pattern import build
 from BalloonWorkbench.core.errors import ExportError, InputError
 from BalloonWorkbench.core.machines.machine import FOLDER, machine

@@ -113,6 +113,14 @@ def test_larger_than_the_bed_is_split_when_that_is_ticked(made, tmp_path, stand_
     hands.click(hands.find("WriteAnyway"), x=8)
     hands.click(hands.find("SplitOverBeds"), x=8)
     assert not hands.find("WriteAnyway").isChecked()
+    for name in ("x-2.dxf", "x-13.dxf", "x-02.dxf", "xx-2.dxf"):  # two of them belong to an earlier split
+        (tmp_path / name).write_text("of mine")
+    hands.press("Ok")
+    hands.wait_until(hands.message)
+    assert "x-13.dxf, x-2.dxf is there already" in hands.message()
+    assert (tmp_path / "x-2.dxf").read_text() == "of mine"
+    for name in ("x-2.dxf", "x-13.dxf", "x-02.dxf", "xx-2.dxf"):
+        (tmp_path / name).unlink()
     lines = lines_of_macro(stand_in)
     hands.press("Ok")
     hands.wait_until(lambda: hands.panel_is_closed() or hands.message())
@@ -245,10 +253,15 @@ def test_tool_paths_come_into_the_document_and_one_undo_takes_them_back(made, st
     lines = lines_of_macro(stand_in)
     hands.press("Ok")
     hands.wait_until(hands.panel_is_closed)
-    (paths,) = document.Objects[before:]
+    (job,) = (obj for obj in document.Objects[before:] if obj.Name.startswith("Job"))
+    (paths,) = job.Operations.Group
     assert "M4 S400" in paths.Path.toGCode()
+    assert job.ViewObject.Proxy and paths.ViewObject.Proxy and paths.ViewObject.Icon
     (positional, named), *_ = lines
     assert positional == ("tool_paths", macro_recorder.obj(made.pattern), '"foil"')
-    assert named == {"result": [paths]}
+    assert named == {"result": [job]}
+    document.undo()
+    assert len(document.Objects) == before
+    document.redo()
     document.undo()
     assert len(document.Objects) == before

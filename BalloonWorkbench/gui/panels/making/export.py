@@ -3,14 +3,17 @@
 
 from __future__ import annotations
 
+import tempfile
+
 import FreeCADGui as Gui
 
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document.kinds import is_panel, leader
 from BalloonWorkbench.app.document.parts import parts_of
-from BalloonWorkbench.app.engine import bed
 from BalloonWorkbench.app.engine.cut_sheet import patterns_in
-from BalloonWorkbench.app.engine.export import export_for, files_of, tool_paths
+from BalloonWorkbench.app.engine.export import export_for, files_of
+from BalloonWorkbench.app.machines import bed
+from BalloonWorkbench.app.machines.tool_paths import add_jobs, job_file
 from BalloonWorkbench.app.properties import preferences
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.options.making import REFUSE
@@ -128,7 +131,7 @@ class ExportPanel(TaskPanel):
         made_for, paper, oversize = self.machine.machine, self.machine.paper, self.machine.oversize
         own_bed, tabs = self.machine.own_bed, self.machine.tabs.texts
         try:
-            objection = self.file.objection(files_of(self.pattern(), self.file.path))
+            objection = self.file.objection(files_of(self.pattern(), self.file.path, oversize))
             if objection:
                 self.message.setText(objection)
                 return False
@@ -157,9 +160,11 @@ class ExportPanel(TaskPanel):
         pattern, tabs = self.pattern(), self.machine.tabs.texts
         chosen = {"bed": own_bed, **dict(zip(("tabs", "tabs_below"), tabs))}
         try:
-            with undo_step(pattern.Document, translate("Tool paths")):
-                paths = tool_paths(pattern, name, own_bed, oversize, *tabs)
-                pattern.Document.commitTransaction()
+            with tempfile.TemporaryDirectory() as folder:
+                path = job_file(pattern, folder, name, own_bed, oversize, *tabs)
+                with undo_step(pattern.Document, translate("Tool paths")):
+                    jobs = add_jobs(pattern.Document, path)
+                    pattern.Document.commitTransaction()
         except BalloonError as error:
             self.message.setText(translated(str(error)))
             return False
@@ -167,7 +172,7 @@ class ExportPanel(TaskPanel):
             chosen["oversize"] = oversize
         options = {key: macro_recorder.text(value) for key, value in chosen.items() if value}
         words = macro_recorder.obj(pattern), macro_recorder.text(name)
-        macro_recorder.call("tool_paths", *words, result=paths, **options)
+        macro_recorder.call("tool_paths", *words, result=jobs, **options)
         self._remember(name)
         self.close()
         return True

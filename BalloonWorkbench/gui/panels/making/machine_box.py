@@ -11,8 +11,8 @@ from types import SimpleNamespace
 
 import FreeCAD as App
 
-from BalloonWorkbench.app.engine import bed
 from BalloonWorkbench.app.engine.export import check_for
+from BalloonWorkbench.app.machines import bed
 from BalloonWorkbench.app.properties import preferences
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.machines.contour.tabs import leaves_tabs

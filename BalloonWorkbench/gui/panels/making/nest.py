@@ -10,8 +10,10 @@ import FreeCADGui as Gui
 from BalloonWorkbench.app import film_sheet
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document.parts import patterns
-from BalloonWorkbench.app.properties import values
+from BalloonWorkbench.app.properties import preferences, values
 from BalloonWorkbench.app.properties.property_table import put_file
+from BalloonWorkbench.core.errors import BalloonError
+from BalloonWorkbench.core.nesting.remnant import FILE
 from BalloonWorkbench.core.options.making import MOST_BALLOONS
 from BalloonWorkbench.core.units import percent_text
 from BalloonWorkbench.gui.panels import show
@@ -23,7 +25,7 @@ from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.view3d.fit_view import fit_all
 from BalloonWorkbench.gui.window import macro_recorder
 from BalloonWorkbench.gui.window.borders import undo_step
-from BalloonWorkbench.gui.window.file_dialogs import ask_for_remnant
+from BalloonWorkbench.gui.window.file_dialogs import ask_for_remnant, ask_where_to_keep_remnant
 from BalloonWorkbench.gui.window.sentences import translated
 from BalloonWorkbench.gui.window.user_units import NOTHING, size_text
 
@@ -42,7 +44,7 @@ class NestPanel(ObjectPanel):
     def __init__(self, obj):
         super().__init__(obj, "NestPanel", translate("Lay out on film"), "nest")
         self.is_new = not obj.LaidOutFor
-        self.remnant_path = None
+        self.remnant_path = self.kept = None
         self.choice = FullList(_HIGHEST)
         self.choice.setObjectName("NestPatterns")
         for pattern in patterns(self.doc):
@@ -56,6 +58,9 @@ class NestPanel(ObjectPanel):
         self.apply = QtWidgets.QPushButton(translate("Lay out"))
         self.apply.setObjectName("LayOut")
         self.apply.setToolTip(translate("Look for the closest layout; Esc takes the best one so far"))
+        self.left = QtWidgets.QPushButton(translate("Keep what is left..."))
+        self.left.setObjectName("KeepRemnant")
+        self.left.setToolTip(translate("Write what is left of the film to a file, for another layout"))
         self.result = WrappedLabel()
         self.result.setObjectName("NestResult")
         self.message = WrappedLabel()
@@ -73,10 +78,12 @@ class NestPanel(ObjectPanel):
         form.addRow(translate("Shown sheet"), self.sheet_number)
         form.addRow(self.apply)
         form.addRow(translate("Used"), self.result)
+        form.addRow(self.left)
         form.addRow(self.message)
         self.sheet_number.valueChanged.connect(lambda _value: self.lay_out() if obj.LaidOutFor else None)
         self.remnant.chosen.connect(self.take_remnant)
         self.apply.clicked.connect(lambda _checked=False: self.lay_out())
+        self.left.clicked.connect(lambda _checked=False: self.keep_remnant())
         self.show_state()
 
     def take(self) -> None:
@@ -112,6 +119,20 @@ class NestPanel(ObjectPanel):
         self.show_state()
         fit_all(Gui.getDocument(self.doc.Name))
 
+    def keep_remnant(self) -> None:
+        """Write what is left to a file that the user chooses."""
+        path = ask_where_to_keep_remnant(self.form, preferences.export_folder(self.doc) / FILE)
+        if path is None:
+            return
+        try:
+            written = film_sheet.keep_remnant(self.obj, path)
+        except BalloonError as error:
+            self.fail(error)
+            return
+        preferences.put_export_folder(self.doc, written.parent)
+        self.kept = written
+        self.message.setText(translate("Written to {}").format(written))
+
     def fail(self, error) -> None:
         self.apply.setEnabled(True)
         super().fail(error)
@@ -130,6 +151,7 @@ class NestPanel(ObjectPanel):
             if obj.Sheets > 1:
                 figures += "\n" + translate("Sheet {} of {}").format(obj.Shown, obj.Sheets)
         self.result.setText(figures)
+        self.left.setEnabled(bool(obj.LaidOutFor))
         problem = status.problem(obj) if obj.Status else ""
         self.message.setText("\n".join(translated(text) for text in [problem, *obj.Warnings] if text))
 
@@ -149,6 +171,8 @@ class NestPanel(ObjectPanel):
             arguments["sheet"] = macro_recorder.obj(self.obj)
         names = ", ".join(map(macro_recorder.obj, self.obj.Patterns))
         macro_recorder.call("nest", f"[{names}]", result=self.obj, name="sheet", **arguments)
+        if self.kept is not None:
+            macro_recorder.call("keep_remnant", macro_recorder.obj(self.obj), macro_recorder.text(self.kept))
         return True
 
 
