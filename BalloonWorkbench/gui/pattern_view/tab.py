@@ -19,6 +19,7 @@ from BalloonWorkbench.core.geometry.polyline import length
 from BalloonWorkbench.core.units import to_mm
 from BalloonWorkbench.gui.pattern_view.piece_view import PieceView
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon, translate
+from BalloonWorkbench.gui.window.selection import select_behind
 from BalloonWorkbench.gui.window.sentences import translated
 from BalloonWorkbench.gui.window.user_units import length_text
 
@@ -139,8 +140,7 @@ class PatternTab(QtWidgets.QWidget):
         partner = self.view.pieces.partner(number)
         self.view.scene().light([number] if partner is None else [number, partner])
         self.line.setText(self._text_of(number, partner))
-        Gui.Selection.clearSelection()
-        Gui.Selection.addSelection(_object_of(self.obj, self.view.pieces.edges[number].piece + 1))
+        select_behind(_object_of(self.obj, self.view.pieces.edges[number].piece + 1))
 
     def _text_of(self, number: int, partner: int | None) -> str:
         own = self._named(number)

@@ -26,9 +26,11 @@ def open_tab(obj):
     App.setActiveDocument(obj.Document.Name)
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(obj)
+    hands.wait(0.3)  # from FreeCAD 1.0 on that brings the 3D view to the front
     Gui.runCommand("BalloonWorkbench_PatternView")
     (tab,) = [each for each in tabs._tabs if each.obj.Document == obj.Document]
-    hands.wait_until(lambda: tab.isVisible() and tab.view.zoom > 0, 5)
+    hands.wait_until(lambda: tab.isVisible() and tab.parentWidget().isMaximized(), 5)
+    hands.wait(0.3)  # it has its size
     return tab
 
 
@@ -68,6 +70,8 @@ def test_a_seam_is_picked_on_both_panels(box):
     assert f"; {owners[1]}, " in tab.line.text()
     (chosen,) = Gui.Selection.getSelection()
     assert (chosen.PanelName, chosen.Pattern) == (owners[0], box.pattern)
+    hands.wait(0.6)  # FreeCAD's tree has followed, and would bring the 3D view to the front
+    assert tab.isVisible()
     hands.screenshot("pattern-view")
     click(tab, pieces.pieces[0].pattern.bounds[0] - 0.004)  # beside all film
     assert lit(tab) == 0
