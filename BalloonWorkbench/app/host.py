@@ -39,6 +39,11 @@ def panels_are_hidden(window) -> bool:
     return dock is not None and bool(dock.isHidden())
 
 
+def syncs_views() -> bool:
+    """Unless the user says otherwise, the 3D view of what is selected comes to the front: from 1.0 on."""
+    return int(App.Version()[0]) >= 1
+
+
 def is_replaying(document) -> bool:
     """The document is being restored, undone or redone: properties change, but nobody edits."""
     return bool(document.Restoring or getattr(document, "Transacting", False))

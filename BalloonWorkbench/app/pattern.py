@@ -156,6 +156,16 @@ class PatternProxy(DocumentProxy):
         """All that is cut: the panel with the pieces of its intake, the second panel, copies."""
         return sheet(obj)
 
+    def pieces(self, obj):
+        """The pieces of one balloon with their edges, the core's PatternPieces."""
+        from BalloonWorkbench.app.border import hooks
+        from BalloonWorkbench.core.bag_pattern.make import bag_pieces
+        from BalloonWorkbench.core.pattern.pieces import two_panel_pieces
+
+        if has_many_panels(obj.Balloon):
+            return hooks.ask(f"Drawing {obj.Label}", bag_pieces, *_bag_request(obj))
+        return hooks.ask(f"Drawing {obj.Label}", two_panel_pieces, *_request(obj))
+
     def piece(self, obj, number: int):
         """One panel or other piece of many, by its number from 1, the core's Pattern."""
         patterns = bag_patterns(obj)

@@ -27,17 +27,8 @@ def show(obj, patterns, contours) -> None:
     obj.Pieces = [] if patterns is None else _pieces(patterns)
     obj.Seams = [] if patterns is None else [_seam(patterns, seam) for seam in patterns.seams if seam.made]
     obj.Order = [] if patterns is None else [_step(patterns, step) for step in patterns.order]
-    obj.PanelNames = [] if patterns is None else [*patterns.names, *_other_names(patterns)]
+    obj.PanelNames = [] if patterns is None else list(patterns.piece_names)
     obj.PanelNumbers = [] if patterns is None else _numbers(patterns, contours)
-
-
-def _other_names(patterns) -> list[str]:
-    """What the pieces beside the panels are called."""
-    others = len(patterns.pieces) - patterns.caps
-    return [
-        *(f"cap {number + 1}" for number in range(patterns.caps)),
-        *(f"intake piece {number + 1}" for number in range(others)),
-    ]
 
 
 def _numbers(patterns, contours) -> list[int]:

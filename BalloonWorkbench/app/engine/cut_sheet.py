@@ -26,6 +26,18 @@ def sheet(pattern_obj):
     return on_one_sheet([obj.Proxy.cut_pattern(obj) for obj in objects])
 
 
+def pieces(obj):
+    """The pieces of a pattern, an artwork or a sheet of film, and which edges are sealed to which: the
+    core's PatternPieces.
+
+    Raises ExportError when it is not up to date.
+    """
+    from BalloonWorkbench.core.pattern.pieces import sheet_pieces
+
+    insist_on_ready(obj)
+    return obj.Proxy.pieces(obj) if is_pattern(obj) else sheet_pieces(sheet(obj))
+
+
 def patterns_in(obj) -> list:
     """The pattern objects of what can be exported: of itself, a group, an artwork or a sheet of film."""
     cut = getattr(obj, "Patterns", None) or [getattr(obj, "Pattern", None) or obj]
@@ -34,6 +46,8 @@ def patterns_in(obj) -> list:
 
 def insist_on_ready(obj) -> None:
     """Raises ExportError for an object that is not up to date."""
+    if not obj.Status:
+        raise ExportError(f"{obj.Label} is not worked out yet: recompute the document.")
     if not status.is_ready(obj):
         raise ExportError(
             f"{obj.Label} is not up to date. {status.problem(obj)} Repair that, recompute and export again."

@@ -48,6 +48,16 @@ class BagPatterns:
         return self.patterns[0].seal_width
 
     @property
+    def piece_names(self) -> tuple[str, ...]:
+        """Of the panels and of the pieces beside them, as people read them."""
+        others = len(self.pieces) - self.caps
+        return (
+            *self.names,
+            *(f"cap {number}" for number in range(1, self.caps + 1)),
+            *(f"intake piece {number}" for number in range(1, others + 1)),
+        )
+
+    @property
     def film_area(self) -> float:
         """Film of one balloon's panels and caps [m2]."""
         own = (*self.patterns, *self.pieces[: self.caps])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The patterns of a design of many panels, with everything on them."""
+"""The patterns of a design of many panels, with everything on them, and which edges are sealed together."""
 
 from __future__ import annotations
 
@@ -28,6 +28,7 @@ from BalloonWorkbench.core.pattern.layout import in_rows
 from BalloonWorkbench.core.pattern.make import pieces_remarks
 from BalloonWorkbench.core.pattern.marks import with_tie_tab
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern
+from BalloonWorkbench.core.pattern.pieces import FlatPiece, PatternPieces, PieceEdge
 from BalloonWorkbench.core.pattern.sheet import intake_pieces, of_other_film
 from BalloonWorkbench.core.types import Floats
 
@@ -80,6 +81,21 @@ def bag_patterns(bag: Bag, film: Film, options: PatternOptions) -> BagPatterns:
         options.copies,
         tuple(dict.fromkeys((*warnings, *remarks, *_unused(options), *_turning(seams)))),
     )
+
+
+@memoized(most=8)
+def bag_pieces(bag: Bag, film: Film, options: PatternOptions) -> PatternPieces:
+    """The pieces of one balloon and both edges of each seam; an edge beside a panel that is not cut has no
+    partner. Raises what `bag_patterns` raises."""
+    made = bag_patterns(bag, film, options)
+    pieces = [FlatPiece(*each) for each in zip(made.piece_names, (*made.patterns, *made.pieces), strict=True)]
+    edges = []
+    for mark, seam in zip(made.seams, bag.seams, strict=True):
+        for panel, line in zip(mark.panels, side_lines(bag, seam)):
+            if panel in made.panels:
+                place = made.panels.index(panel)
+                edges.append(PieceEdge(place, line + made.shifts[place], mark.number))
+    return PatternPieces(tuple(pieces), tuple(edges))
 
 
 def _check(bag: Bag, options: PatternOptions, seal_width: float) -> None:

@@ -27,6 +27,7 @@ from BalloonWorkbench.gui.commands.results import (
     ColourMapCommand,
     CompareCommand,
     ExportForWeb,
+    PatternViewCommand,
     StudyCommand,
 )
 
@@ -38,6 +39,7 @@ _COMMANDS = {
     "BalloonWorkbench_FromBody": FromBody,
     "BalloonWorkbench_FromPanels": FromPanels,
     "BalloonWorkbench_Advice": AdviceCommand,
+    "BalloonWorkbench_PatternView": PatternViewCommand,
     "BalloonWorkbench_ColourMap": ColourMapCommand,
     "BalloonWorkbench_Animate": Animate,
     "BalloonWorkbench_Study": StudyCommand,

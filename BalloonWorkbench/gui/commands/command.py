@@ -20,6 +20,7 @@ _KEYS = {
     "FromBody": "B, Y",
     "FromPanels": "B, N",
     "Advice": "B, A",
+    "PatternView": "B, F",
     "ColourMap": "B, M",
     "Animate": "B, V",
     "Study": "B, T",

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a finished balloon shows: advice, results as colours, its inflation."""
+"""What a finished balloon shows: advice, its flat pieces, results as colours, its inflation."""
 
 from __future__ import annotations
 
 import FreeCAD as App
 import FreeCADGui as Gui
 
+from BalloonWorkbench.app.document import kinds
+from BalloonWorkbench.app.document.parts import patterns
 from BalloonWorkbench.app.properties.property_table import QT_TRANSLATE_NOOP
 from BalloonWorkbench.gui.commands.command import (
     PatternCommand,
@@ -34,6 +36,24 @@ class AdviceCommand(PatternCommand):
 
         for parts in (selected_parts() or known_parts())[:1]:
             show(AdvicePanel(parts))
+
+
+class PatternViewCommand(PatternCommand):
+    """Opens a tab with the flat pieces of the selected pattern or sheet of film."""
+
+    drawing = "pattern_view"
+    menu_text = QT_TRANSLATE_NOOP("BalloonWorkbench_PatternView", "Pattern view")
+    tool_tip = QT_TRANSLATE_NOOP(
+        "BalloonWorkbench_PatternView",
+        "Show all panels flat in a tab of their own: pick an edge to see its partner, and measure",
+    )
+
+    def Activated(self):
+        from BalloonWorkbench.gui.pattern_view.tab import open_tab
+
+        chosen = [*filter(kinds.is_film_sheet, Gui.Selection.getSelection())]
+        chosen += [parts.pattern for parts in selected_parts()]
+        open_tab((chosen or patterns(App.ActiveDocument))[0])
 
 
 class ColourMapCommand(ResultCommand):
@@ -81,14 +101,13 @@ class StudyCommand(ResultCommand):
     )
 
     def Activated(self):
-        from BalloonWorkbench.app.document.kinds import is_study
         from BalloonWorkbench.app.studies import study
         from BalloonWorkbench.app.studies.varied import SHEET, VARIABLES
         from BalloonWorkbench.gui.panels import show
         from BalloonWorkbench.gui.panels.results.study import StudyPanel
 
         doc, selected = App.ActiveDocument, Gui.Selection.getSelection()
-        chosen = next(filter(is_study, selected), None)
+        chosen = next(filter(kinds.is_study, selected), None)
         variables, table = (
             next((obj for obj in selected if obj.TypeId == kind), None) for kind in (VARIABLES, SHEET)
         )

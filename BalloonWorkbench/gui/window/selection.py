@@ -3,10 +3,18 @@
 
 from __future__ import annotations
 
+import FreeCAD as App
 import FreeCADGui as Gui
 
 from BalloonWorkbench.app.border.guard import Guarded
 from BalloonWorkbench.app.document.parts import parts_of
+from BalloonWorkbench.app.host import syncs_views
+from BalloonWorkbench.gui.qt import QtCore
+
+#: FreeCAD's preference to bring the 3D view of what is selected to the front, on since 1.0.
+_SYNC, _TREE = "SyncView", "User parameter:BaseApp/Preferences/TreeView"
+_LATER = 500  # ms in which its tree has taken a selection over
+_restoring: list[QtCore.QTimer] = []
 
 
 def selected_source():
@@ -42,6 +50,20 @@ def selected_body():
         if has_body and parts_of(obj) is None:
             return obj
     return None
+
+
+def select_behind(obj) -> None:
+    """Select an object alone; the tab in front stays there, whatever FreeCAD does with what is selected."""
+    tree = App.ParamGet(_TREE)
+    if not _restoring:
+        _restoring.append(QtCore.QTimer())
+        _restoring[0].setSingleShot(True)
+        _restoring[0].timeout.connect(lambda: App.ParamGet(_TREE).SetBool(_SYNC, True))
+    if _restoring[0].isActive() or tree.GetBool(_SYNC, syncs_views()):
+        tree.SetBool(_SYNC, False)
+        _restoring[0].start(_LATER)
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(obj)
 
 
 class SelectionWatch(Guarded):

@@ -7,8 +7,8 @@ import hands
 import pytest
 from PySide import QtSvg
 
-COMMANDS = ("FromPicture", "FromSketch", "FromProfile", "FromBody", "FromPanels", "Advice", "ColourMap")
-COMMANDS += ("Animate", "Study", "Artwork", "Nest", "ExportPattern", "AssemblySheet")
+COMMANDS = ("FromPicture", "FromSketch", "FromProfile", "FromBody", "FromPanels", "Advice", "PatternView")
+COMMANDS += ("ColourMap", "Animate", "Study", "Artwork", "Nest", "ExportPattern", "AssemblySheet")
 COMMANDS += ("ExportForWeb", "Compare")
 TEXTS = [
     "Paint a balloon",
@@ -18,6 +18,7 @@ TEXTS = [
     "New balloon from body",
     "New bag of panels",
     "Advice",
+    "Pattern view",
     "Colour map",
     "Animate inflation",
     "Study",
@@ -67,6 +68,7 @@ def test_commands_are_offered_when_they_make_sense():
         "FromBody": True,
         "FromPanels": True,
         "Advice": False,
+        "PatternView": False,
         "ColourMap": False,
         "Animate": False,
         "Study": False,

@@ -12,8 +12,8 @@ from BalloonWorkbench.gui.paint.painting.painted import SIDE, Painting
 from BalloonWorkbench.gui.paint.painting.strokes import LINE
 from BalloonWorkbench.gui.paint.painting.tools import MOVE, TOOLS
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, is_eraser, position
+from BalloonWorkbench.gui.window.zoom_keys import FIT, LARGER, PULL, SMALLER, STEP, wheel_zoom
 
-_STEP = 1.25  # of the zoom for a notch of the wheel
 _CLOSE = 2.0  # px on the screen between two points of a stroke
 _TRACING = 0.45  # opacity of the backdrop
 _LETTERS = {"M", "[", "]"} | {tool.key for tool in TOOLS}
@@ -137,9 +137,8 @@ class Canvas(QtWidgets.QWidget):
         return self._space or self.hand.tool.name == MOVE
 
     def wheelEvent(self, event):
-        notches = event.angleDelta().y() / 120.0
-        if notches:
-            self.paper.zoom_by(_STEP**notches, position(event))
+        if event.angleDelta().y():
+            self.paper.zoom_by(wheel_zoom(event), position(event))
         event.accept()
 
     def leaveEvent(self, event):
@@ -168,7 +167,7 @@ class Canvas(QtWidgets.QWidget):
             self.update()
 
     def keyReleaseEvent(self, event):
-        if event.key() == QtCore.Qt.Key_Space and not event.isAutoRepeat():
+        if event.key() == PULL and not event.isAutoRepeat():
             self._space = False
             self.unsetCursor()
         else:
@@ -183,10 +182,10 @@ class Canvas(QtWidgets.QWidget):
             return self.painting.redo
         actions = {
             QtCore.Qt.Key_Escape: self.hand.cancel,
-            QtCore.Qt.Key_Space: self._take_paper,
-            QtCore.Qt.Key_0: self.paper.fit,
-            QtCore.Qt.Key_Plus: lambda: self.paper.zoom_by(_STEP),
-            QtCore.Qt.Key_Minus: lambda: self.paper.zoom_by(1 / _STEP),
+            PULL: self._take_paper,
+            FIT: self.paper.fit,
+            LARGER: lambda: self.paper.zoom_by(STEP),
+            SMALLER: lambda: self.paper.zoom_by(1 / STEP),
         }
         for key, action in actions.items():
             if event.key() == key:

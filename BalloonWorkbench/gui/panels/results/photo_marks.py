@@ -8,8 +8,8 @@ import math
 import FreeCADGui as Gui
 
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, position, translate
+from BalloonWorkbench.gui.window.zoom_keys import wheel_zoom
 
-_ZOOM = 1.25  # a notch of the wheel
 _ARM, _WIDTH = 14, 2  # px
 _COLOUR = "#ff2d95"
 _SHARE = 0.8  # of the main window
@@ -78,7 +78,7 @@ class _MarkedView(QtWidgets.QGraphicsView):
         self.fitInView(self._picture, QtCore.Qt.KeepAspectRatio)
 
     def wheelEvent(self, event):
-        factor = _ZOOM if event.angleDelta().y() > 0 else 1.0 / _ZOOM
+        factor = wheel_zoom(event)
         self.scale(factor, factor)
 
     def mousePressEvent(self, event):
