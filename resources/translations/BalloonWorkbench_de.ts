@@ -1343,6 +1343,10 @@
         <translation>1 bis {0} Stücke können ausgelegt werden, nicht {1}.</translation>
     </message>
     <message>
+        <source>3D model (GLB)</source>
+        <translation>3D-Modell (GLB)</translation>
+    </message>
+    <message>
         <source>95 % below {} ({})</source>
         <translation>95 % unter {} ({})</translation>
     </message>
@@ -2115,6 +2119,10 @@
         <translation>Eine Naht anklicken: Die Bahnen neben ihr werden eine</translation>
     </message>
     <message>
+        <source>Click an edge to see what it is sealed to.</source>
+        <translation>Klicken Sie auf eine Kante: Es wird gezeigt, womit sie verschweißt wird.</translation>
+    </message>
+    <message>
         <source>Click both ends of a length that you know; a third click moves the nearer mark.</source>
         <translation>Klicken Sie auf beide Enden einer Länge, die Sie kennen; ein dritter Klick verschiebt die nähere Marke.</translation>
     </message>
@@ -2129,6 +2137,10 @@
     <message>
         <source>Click two places: a seam runs between them</source>
         <translation>Zwei Stellen anklicken: Eine Naht läuft zwischen ihnen</translation>
+    </message>
+    <message>
+        <source>Click two points to measure between them.</source>
+        <translation>Klicken Sie auf zwei Punkte, um dazwischen zu messen.</translation>
     </message>
     <message>
         <source>Click where the new seam begins. Esc: done.</source>
@@ -2291,6 +2303,10 @@
         <translation>Abstand von Profil, Zeichnung oder Körper</translation>
     </message>
     <message>
+        <source>Distance {}, across {}, up {}</source>
+        <translation>Abstand {}, waagrecht {}, senkrecht {}</translation>
+    </message>
+    <message>
         <source>Dividing a body needs scipy: install it with pip install scipy.</source>
         <translation>Einen Körper zu teilen braucht scipy: mit pip install scipy installieren.</translation>
     </message>
@@ -2441,6 +2457,10 @@
     <message>
         <source>Export begins with it</source>
         <translation>Export beginnt damit</translation>
+    </message>
+    <message>
+        <source>Export for the web</source>
+        <translation>Fürs Web ausgeben</translation>
     </message>
     <message>
         <source>Export pattern</source>
@@ -3135,6 +3155,14 @@
         <translation>Seitenverhältnis beibehalten</translation>
     </message>
     <message>
+        <source>Keep what is left</source>
+        <translation>Rest aufheben</translation>
+    </message>
+    <message>
+        <source>Keep what is left...</source>
+        <translation>Rest aufheben ...</translation>
+    </message>
+    <message>
         <source>Kept, and offered by Export pattern: {}</source>
         <translation>Behalten, und von Schnittmuster ausgeben angeboten: {}</translation>
     </message>
@@ -3429,6 +3457,10 @@
     <message>
         <source>May be cut</source>
         <translation>Darf geschnitten werden</translation>
+    </message>
+    <message>
+        <source>Measure (M)</source>
+        <translation>Messen (M)</translation>
     </message>
     <message>
         <source>Measured on the inflated balloon.</source>
@@ -3731,8 +3763,16 @@
         <translation>Hinweise</translation>
     </message>
     <message>
+        <source>Nothing behind the balloon; else the picture is on white</source>
+        <translation>Nichts hinter dem Ballon; sonst ist das Bild auf Weiß</translation>
+    </message>
+    <message>
         <source>Nothing can be computed without it; documents open and keep their shapes.</source>
         <translation>Ohne es kann nichts berechnet werden; Dokumente lassen sich öffnen und behalten ihre Formen.</translation>
+    </message>
+    <message>
+        <source>Nothing here writes an MP4: choose a GIF, or install opencv-python-headless with pip.</source>
+        <translation>Hier schreibt nichts ein MP4: Wählen Sie ein GIF, oder installieren Sie opencv-python-headless mit pip.</translation>
     </message>
     <message>
         <source>Nothing strays that is called "{0}": choose of {1}.</source>
@@ -3897,6 +3937,10 @@
     <message>
         <source>Open</source>
         <translation>Offen</translation>
+    </message>
+    <message>
+        <source>Open edge: {}</source>
+        <translation>Offene Kante: {}</translation>
     </message>
     <message>
         <source>Open it, do not import it. Outline, holes and notches are on cut layers, without speed and power: take them from your material library. Welds (T1) and all that is drawn (T2) are on tool layers, which LightBurn never burns.</source>
@@ -4165,6 +4209,10 @@
     <message>
         <source>Pick the edge at which it is filled.</source>
         <translation>Die Kante wählen, an der er gefüllt wird.</translation>
+    </message>
+    <message>
+        <source>Picture (PNG)</source>
+        <translation>Bild (PNG)</translation>
     </message>
     <message>
         <source>Picture, SVG, DXF or JSON</source>
@@ -4555,6 +4603,10 @@
         <translation>Stichproben: {0}, davon gescheitert: {1}, nicht in Ruhe: {2}</translation>
     </message>
     <message>
+        <source>Save as GIF or MP4</source>
+        <translation>Als GIF oder MP4 speichern</translation>
+    </message>
+    <message>
         <source>Save files…</source>
         <translation>Dateien speichern…</translation>
     </message>
@@ -4565,6 +4617,10 @@
     <message>
         <source>Save results…</source>
         <translation>Ergebnisse speichern…</translation>
+    </message>
+    <message>
+        <source>Save the inflation</source>
+        <translation>Das Aufblasen speichern</translation>
     </message>
     <message>
         <source>Scale to fit</source>
@@ -4731,6 +4787,10 @@
         <translation>Naht {}: {}</translation>
     </message>
     <message>
+        <source>Seam {}: {}; {}</source>
+        <translation>Naht {}: {}; {}</translation>
+    </message>
+    <message>
         <source>Seams</source>
         <translation>Nähte</translation>
     </message>
@@ -4829,6 +4889,10 @@
     <message>
         <source>Sheet {} of {}</source>
         <translation>Bogen {} von {}</translation>
+    </message>
+    <message>
+        <source>Show all pieces (0)</source>
+        <translation>Alle Stücke zeigen (0)</translation>
     </message>
     <message>
         <source>Show the drawing and the silhouette over each other</source>
@@ -5863,6 +5927,10 @@
         <translation>Das Netz wurde vereinfacht. Es hatte so viele Dreiecke: {0}.</translation>
     </message>
     <message>
+        <source>The moving picture was stopped.</source>
+        <translation>Das bewegte Bild wurde abgebrochen.</translation>
+    </message>
+    <message>
         <source>The native solver cannot be saved. {0}</source>
         <translation>Der native Löser kann nicht gespeichert werden. {0}</translation>
     </message>
@@ -6719,10 +6787,6 @@
         <translation>Strichdicke ([ dünner, ] dicker)</translation>
     </message>
     <message>
-        <source>This OpenCV writes no MP4: take --animation gif, or install opencv-python-headless with pip.</source>
-        <translation>Dieses OpenCV schreibt kein MP4: nehmen Sie --animation gif oder installieren Sie opencv-python-headless mit pip.</translation>
-    </message>
-    <message>
         <source>This Python has no working ctypes module, which SciPy and the native solver need: patterns can be changed and written, but no balloon can be inflated anew. Take another build of FreeCAD or of Python.</source>
         <translation>Dieses Python hat kein funktionierendes ctypes-Modul, das SciPy und der native Löser brauchen: Schnittmuster können geändert und geschrieben werden, aber kein Ballon kann neu aufgeblasen werden. Eine andere Ausgabe von FreeCAD oder von Python nehmen.</translation>
     </message>
@@ -6881,6 +6945,10 @@
     <message>
         <source>Tracing paper, 92 g/m²</source>
         <translation>Transparentpapier, 92 g/m²</translation>
+    </message>
+    <message>
+        <source>Transparent ground</source>
+        <translation>Durchsichtiger Grund</translation>
     </message>
     <message>
         <source>Triangle {0} of panel {1} has no area. Mesh the panel anew.</source>
@@ -7051,6 +7119,10 @@
         <translation>Schwächste Stelle: {0} bei {1}, geschätzt: Die Folie kam nicht zur Ruhe</translation>
     </message>
     <message>
+        <source>Web page that turns the balloon (HTML)</source>
+        <translation>Webseite, die den Ballon dreht (HTML)</translation>
+    </message>
+    <message>
         <source>Weight</source>
         <translation>Gewicht</translation>
     </message>
@@ -7107,6 +7179,10 @@
         <translation>Mit Hochfrequenz entlang der gestrichelten Linie schweißen, {seal} breit; die Mündung des Halses offen lassen.</translation>
     </message>
     <message>
+        <source>Weld: {}</source>
+        <translation>Schweißnaht: {}</translation>
+    </message>
+    <message>
         <source>Welded across, last</source>
         <translation>Quer verschweißt, zuletzt</translation>
     </message>
@@ -7121,6 +7197,10 @@
     <message>
         <source>Welds easily with an impulse sealer or an iron. Yields at about 9 MPa, half its tensile strength, and creeps: keep the pressure low.</source>
         <translation>Lässt sich leicht mit Impulssiegler oder Bügeleisen schweißen. Fließt bei etwa 9 MPa, der Hälfte seiner Zugfestigkeit, und kriecht: den Druck niedrig halten.</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
     </message>
     <message>
         <source>What is cut is a line in the spot colour CutContour, which prints over the picture and leaves no gap in it. With artwork both are in artwork-print-and-cut-pdf.pdf. The shop's program adds marks of its own.</source>
@@ -7295,6 +7375,14 @@
         <translation>Die Datei schreiben, obwohl sie größer als das Bett ist</translation>
     </message>
     <message>
+        <source>Write these frames as a moving picture, with the artwork, on white</source>
+        <translation>Diese Bilder als bewegtes Bild schreiben, mit Aufdruck, auf Weiß</translation>
+    </message>
+    <message>
+        <source>Write what is left of the film to a file, for another layout</source>
+        <translation>Was von der Folie übrig ist in eine Datei schreiben, für eine andere Anordnung</translation>
+    </message>
+    <message>
         <source>Write {"a": ["top", 0, 1], "b": ["side", 3, 2]}.</source>
         <translation>{"a": ["top", 0, 1], "b": ["side", 3, 2]} schreiben.</translation>
     </message>
@@ -7333,6 +7421,10 @@
     <message>
         <source>Writing {0}</source>
         <translation>{0} wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Written to {}</source>
+        <translation>Geschrieben nach {}</translation>
     </message>
     <message>
         <source>Wrote {0}</source>
@@ -8619,6 +8711,10 @@
         <translation>{0} ist kein Körper: einen Volumenkörper, ein Netz oder den Pfad einer Datei geben.</translation>
     </message>
     <message>
+        <source>{0} is no file for the web: let the name end in .glb, .html, .png, .gif or .mp4.</source>
+        <translation>{0} ist keine Datei fürs Web: Der Name muss auf .glb, .html, .png, .gif oder .mp4 enden.</translation>
+    </message>
+    <message>
         <source>{0} is no number: list its values.</source>
         <translation>{0} ist keine Zahl: die Werte aufzählen.</translation>
     </message>
@@ -8657,6 +8753,10 @@
     <message>
         <source>{0} is not up to date. {1} Repair that, recompute and export again.</source>
         <translation>{0} ist nicht aktuell. {1} Das beheben, neu berechnen und noch einmal ausgeben.</translation>
+    </message>
+    <message>
+        <source>{0} is not worked out yet: recompute the document.</source>
+        <translation>{0} ist noch nicht berechnet: Berechnen Sie das Dokument neu.</translation>
     </message>
     <message>
         <source>{0} is open: close its line.</source>
@@ -9078,6 +9178,10 @@
         <source>{}: {}</source>
         <translation>{}: {}</translation>
     </message>
+    <message>
+        <source>{}: {}, flat</source>
+        <translation>{}: {}, flach</translation>
+    </message>
 </context>
 <context>
     <name>BalloonWorkbench_Advice</name>
@@ -9165,6 +9269,17 @@
     <message>
         <source>Open a finished balloon, to look at it and to change it</source>
         <translation>Öffnet einen fertigen Ballon zum Ansehen und Ändern</translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_ExportForWeb</name>
+    <message>
+        <source>Export for the web</source>
+        <translation>Fürs Web ausgeben</translation>
+    </message>
+    <message>
+        <source>Write the balloon with its artwork as a web page that turns it, as a 3D model or as a picture</source>
+        <translation>Den Ballon mit seinem Aufdruck schreiben: als Webseite, die ihn dreht, als 3D-Modell oder als Bild</translation>
     </message>
 </context>
 <context>
@@ -9264,6 +9379,17 @@
     <message>
         <source>Paint a balloon</source>
         <translation>Einen Ballon malen</translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_PatternView</name>
+    <message>
+        <source>Pattern view</source>
+        <translation>Schnittmuster ansehen</translation>
+    </message>
+    <message>
+        <source>Show all panels flat in a tab of their own: pick an edge to see its partner, and measure</source>
+        <translation>Alle Bahnen flach in einem eigenen Reiter zeigen: Eine Kante anklicken zeigt ihr Gegenstück; auch messen</translation>
     </message>
 </context>
 <context>

@@ -1343,6 +1343,10 @@
         <translation>Se pueden colocar de 1 a {0} piezas, no {1}.</translation>
     </message>
     <message>
+        <source>3D model (GLB)</source>
+        <translation>Modelo 3D (GLB)</translation>
+    </message>
+    <message>
         <source>95 % below {} ({})</source>
         <translation>95 % por debajo de {} ({})</translation>
     </message>
@@ -2115,6 +2119,10 @@
         <translation>Haga clic en una costura: los paneles a sus lados se unen en uno</translation>
     </message>
     <message>
+        <source>Click an edge to see what it is sealed to.</source>
+        <translation>Haga clic en un borde para ver con qué se sella.</translation>
+    </message>
+    <message>
         <source>Click both ends of a length that you know; a third click moves the nearer mark.</source>
         <translation>Haga clic en ambos extremos de una longitud que conozca; un tercer clic mueve la marca más cercana.</translation>
     </message>
@@ -2129,6 +2137,10 @@
     <message>
         <source>Click two places: a seam runs between them</source>
         <translation>Haga clic en dos lugares: una costura va de uno a otro</translation>
+    </message>
+    <message>
+        <source>Click two points to measure between them.</source>
+        <translation>Haga clic en dos puntos para medir entre ellos.</translation>
     </message>
     <message>
         <source>Click where the new seam begins. Esc: done.</source>
@@ -2291,6 +2303,10 @@
         <translation>Distancia al perfil, al dibujo o al cuerpo</translation>
     </message>
     <message>
+        <source>Distance {}, across {}, up {}</source>
+        <translation>Distancia {}, horizontal {}, vertical {}</translation>
+    </message>
+    <message>
         <source>Dividing a body needs scipy: install it with pip install scipy.</source>
         <translation>Dividir un cuerpo necesita scipy: instálelo con pip install scipy.</translation>
     </message>
@@ -2441,6 +2457,10 @@
     <message>
         <source>Export begins with it</source>
         <translation>Exportar empieza con ella</translation>
+    </message>
+    <message>
+        <source>Export for the web</source>
+        <translation>Exportar para la web</translation>
     </message>
     <message>
         <source>Export pattern</source>
@@ -3135,6 +3155,14 @@
         <translation>Mantener las proporciones</translation>
     </message>
     <message>
+        <source>Keep what is left</source>
+        <translation>Guardar lo que queda</translation>
+    </message>
+    <message>
+        <source>Keep what is left...</source>
+        <translation>Guardar lo que queda...</translation>
+    </message>
+    <message>
         <source>Kept, and offered by Export pattern: {}</source>
         <translation>Guardada, y «Exportar patrón» la ofrece: {}</translation>
     </message>
@@ -3429,6 +3457,10 @@
     <message>
         <source>May be cut</source>
         <translation>Se puede cortar</translation>
+    </message>
+    <message>
+        <source>Measure (M)</source>
+        <translation>Medir (M)</translation>
     </message>
     <message>
         <source>Measured on the inflated balloon.</source>
@@ -3731,8 +3763,16 @@
         <translation>Notas</translation>
     </message>
     <message>
+        <source>Nothing behind the balloon; else the picture is on white</source>
+        <translation>Nada detrás del globo; si no, la imagen va sobre blanco</translation>
+    </message>
+    <message>
         <source>Nothing can be computed without it; documents open and keep their shapes.</source>
         <translation>Sin él no se puede calcular nada; los documentos se abren y conservan sus formas.</translation>
+    </message>
+    <message>
+        <source>Nothing here writes an MP4: choose a GIF, or install opencv-python-headless with pip.</source>
+        <translation>Aquí nada escribe un MP4: elija un GIF o instale opencv-python-headless con pip.</translation>
     </message>
     <message>
         <source>Nothing strays that is called "{0}": choose of {1}.</source>
@@ -3897,6 +3937,10 @@
     <message>
         <source>Open</source>
         <translation>Abierto</translation>
+    </message>
+    <message>
+        <source>Open edge: {}</source>
+        <translation>Borde abierto: {}</translation>
     </message>
     <message>
         <source>Open it, do not import it. Outline, holes and notches are on cut layers, without speed and power: take them from your material library. Welds (T1) and all that is drawn (T2) are on tool layers, which LightBurn never burns.</source>
@@ -4165,6 +4209,10 @@
     <message>
         <source>Pick the edge at which it is filled.</source>
         <translation>Elija el borde por el que se llena.</translation>
+    </message>
+    <message>
+        <source>Picture (PNG)</source>
+        <translation>Imagen (PNG)</translation>
     </message>
     <message>
         <source>Picture, SVG, DXF or JSON</source>
@@ -4555,6 +4603,10 @@
         <translation>Muestras: {0}, de ellas fallidas: {1}, sin reposo: {2}</translation>
     </message>
     <message>
+        <source>Save as GIF or MP4</source>
+        <translation>Guardar como GIF o MP4</translation>
+    </message>
+    <message>
         <source>Save files…</source>
         <translation>Guardar archivos…</translation>
     </message>
@@ -4565,6 +4617,10 @@
     <message>
         <source>Save results…</source>
         <translation>Guardar resultados…</translation>
+    </message>
+    <message>
+        <source>Save the inflation</source>
+        <translation>Guardar el inflado</translation>
     </message>
     <message>
         <source>Scale to fit</source>
@@ -4731,6 +4787,10 @@
         <translation>Costura {}: {}</translation>
     </message>
     <message>
+        <source>Seam {}: {}; {}</source>
+        <translation>Costura {}: {}; {}</translation>
+    </message>
+    <message>
         <source>Seams</source>
         <translation>Costuras</translation>
     </message>
@@ -4829,6 +4889,10 @@
     <message>
         <source>Sheet {} of {}</source>
         <translation>Lámina {} de {}</translation>
+    </message>
+    <message>
+        <source>Show all pieces (0)</source>
+        <translation>Mostrar todas las piezas (0)</translation>
     </message>
     <message>
         <source>Show the drawing and the silhouette over each other</source>
@@ -5863,6 +5927,10 @@
         <translation>La malla se ha simplificado. Triángulos que tenía: {0}.</translation>
     </message>
     <message>
+        <source>The moving picture was stopped.</source>
+        <translation>Se detuvo la animación.</translation>
+    </message>
+    <message>
         <source>The native solver cannot be saved. {0}</source>
         <translation>El solucionador nativo no se puede guardar. {0}</translation>
     </message>
@@ -6719,10 +6787,6 @@
         <translation>Grosor del trazo ([ más fino, ] más grueso)</translation>
     </message>
     <message>
-        <source>This OpenCV writes no MP4: take --animation gif, or install opencv-python-headless with pip.</source>
-        <translation>Este OpenCV no escribe MP4: use --animation gif, o instale opencv-python-headless con pip.</translation>
-    </message>
-    <message>
         <source>This Python has no working ctypes module, which SciPy and the native solver need: patterns can be changed and written, but no balloon can be inflated anew. Take another build of FreeCAD or of Python.</source>
         <translation>Este Python no tiene un módulo ctypes que funcione, y SciPy y el solucionador nativo lo necesitan: los patrones se pueden cambiar y escribir, pero no se puede inflar ningún globo de nuevo. Use otra compilación de FreeCAD o de Python.</translation>
     </message>
@@ -6881,6 +6945,10 @@
     <message>
         <source>Tracing paper, 92 g/m²</source>
         <translation>Papel vegetal, 92 g/m²</translation>
+    </message>
+    <message>
+        <source>Transparent ground</source>
+        <translation>Fondo transparente</translation>
     </message>
     <message>
         <source>Triangle {0} of panel {1} has no area. Mesh the panel anew.</source>
@@ -7051,6 +7119,10 @@
         <translation>Lugar más débil: {0} en {1}, estimado: la película no llegó al reposo</translation>
     </message>
     <message>
+        <source>Web page that turns the balloon (HTML)</source>
+        <translation>Página web que gira el globo (HTML)</translation>
+    </message>
+    <message>
         <source>Weight</source>
         <translation>Peso</translation>
     </message>
@@ -7107,6 +7179,10 @@
         <translation>Suelde por alta frecuencia a lo largo de la línea discontinua, con {seal} de ancho; deje abierta la boca del cuello.</translation>
     </message>
     <message>
+        <source>Weld: {}</source>
+        <translation>Soldadura: {}</translation>
+    </message>
+    <message>
         <source>Welded across, last</source>
         <translation>Soldada a través, al final</translation>
     </message>
@@ -7121,6 +7197,10 @@
     <message>
         <source>Welds easily with an impulse sealer or an iron. Yields at about 9 MPa, half its tensile strength, and creeps: keep the pressure low.</source>
         <translation>Se suelda fácilmente con selladora de impulso o plancha. Cede a unos 9 MPa, la mitad de su resistencia, y fluye: mantenga baja la presión.</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Qué</translation>
     </message>
     <message>
         <source>What is cut is a line in the spot colour CutContour, which prints over the picture and leaves no gap in it. With artwork both are in artwork-print-and-cut-pdf.pdf. The shop's program adds marks of its own.</source>
@@ -7295,6 +7375,14 @@
         <translation>Escribir el archivo aunque sea más grande que la cama</translation>
     </message>
     <message>
+        <source>Write these frames as a moving picture, with the artwork, on white</source>
+        <translation>Escribir estos fotogramas como animación, con la impresión, sobre blanco</translation>
+    </message>
+    <message>
+        <source>Write what is left of the film to a file, for another layout</source>
+        <translation>Escribir lo que queda de la película en un archivo, para otra colocación</translation>
+    </message>
+    <message>
         <source>Write {"a": ["top", 0, 1], "b": ["side", 3, 2]}.</source>
         <translation>Escriba {"a": ["top", 0, 1], "b": ["side", 3, 2]}.</translation>
     </message>
@@ -7333,6 +7421,10 @@
     <message>
         <source>Writing {0}</source>
         <translation>Escribiendo {0}</translation>
+    </message>
+    <message>
+        <source>Written to {}</source>
+        <translation>Escrito en {}</translation>
     </message>
     <message>
         <source>Wrote {0}</source>
@@ -8619,6 +8711,10 @@
         <translation>{0} no es un cuerpo: dé un sólido, una malla o la ruta de un archivo.</translation>
     </message>
     <message>
+        <source>{0} is no file for the web: let the name end in .glb, .html, .png, .gif or .mp4.</source>
+        <translation>{0} no es un archivo para la web: termine el nombre en .glb, .html, .png, .gif o .mp4.</translation>
+    </message>
+    <message>
         <source>{0} is no number: list its values.</source>
         <translation>{0} no es un número: enumere sus valores.</translation>
     </message>
@@ -8657,6 +8753,10 @@
     <message>
         <source>{0} is not up to date. {1} Repair that, recompute and export again.</source>
         <translation>{0} no está al día. {1} Repárelo, recalcule y exporte de nuevo.</translation>
+    </message>
+    <message>
+        <source>{0} is not worked out yet: recompute the document.</source>
+        <translation>{0} aún no está calculado: recalcule el documento.</translation>
     </message>
     <message>
         <source>{0} is open: close its line.</source>
@@ -9078,6 +9178,10 @@
         <source>{}: {}</source>
         <translation>{}: {}</translation>
     </message>
+    <message>
+        <source>{}: {}, flat</source>
+        <translation>{}: {}, plano</translation>
+    </message>
 </context>
 <context>
     <name>BalloonWorkbench_Advice</name>
@@ -9165,6 +9269,17 @@
     <message>
         <source>Open a finished balloon, to look at it and to change it</source>
         <translation>Abre un globo terminado, para verlo y cambiarlo</translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_ExportForWeb</name>
+    <message>
+        <source>Export for the web</source>
+        <translation>Exportar para la web</translation>
+    </message>
+    <message>
+        <source>Write the balloon with its artwork as a web page that turns it, as a 3D model or as a picture</source>
+        <translation>Escribir el globo con su impresión: página web que lo gira, modelo 3D o imagen</translation>
     </message>
 </context>
 <context>
@@ -9264,6 +9379,17 @@
     <message>
         <source>Paint a balloon</source>
         <translation>Pintar un globo</translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_PatternView</name>
+    <message>
+        <source>Pattern view</source>
+        <translation>Vista del patrón</translation>
+    </message>
+    <message>
+        <source>Show all panels flat in a tab of their own: pick an edge to see its partner, and measure</source>
+        <translation>Mostrar todos los paneles planos en su pestaña: elegir un borde muestra su pareja; y medir</translation>
     </message>
 </context>
 <context>

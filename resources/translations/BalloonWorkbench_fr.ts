@@ -1343,6 +1343,10 @@
         <translation>On peut disposer de 1 à {0} pièces, pas {1}.</translation>
     </message>
     <message>
+        <source>3D model (GLB)</source>
+        <translation>Modèle 3D (GLB)</translation>
+    </message>
+    <message>
         <source>95 % below {} ({})</source>
         <translation>95 % sous {} ({})</translation>
     </message>
@@ -2115,6 +2119,10 @@
         <translation>Cliquez sur une couture : les panneaux de part et d'autre n'en font plus qu'un</translation>
     </message>
     <message>
+        <source>Click an edge to see what it is sealed to.</source>
+        <translation>Cliquez sur un bord pour voir à quoi il est soudé.</translation>
+    </message>
+    <message>
         <source>Click both ends of a length that you know; a third click moves the nearer mark.</source>
         <translation>Cliquez les deux bouts d'une longueur que vous connaissez ; un troisième clic déplace la marque la plus proche.</translation>
     </message>
@@ -2129,6 +2137,10 @@
     <message>
         <source>Click two places: a seam runs between them</source>
         <translation>Cliquez sur deux endroits : une couture va de l'un à l'autre</translation>
+    </message>
+    <message>
+        <source>Click two points to measure between them.</source>
+        <translation>Cliquez sur deux points pour mesurer entre eux.</translation>
     </message>
     <message>
         <source>Click where the new seam begins. Esc: done.</source>
@@ -2291,6 +2303,10 @@
         <translation>Écart au profil, au dessin ou au corps</translation>
     </message>
     <message>
+        <source>Distance {}, across {}, up {}</source>
+        <translation>Distance {}, horizontale {}, verticale {}</translation>
+    </message>
+    <message>
         <source>Dividing a body needs scipy: install it with pip install scipy.</source>
         <translation>Diviser un corps demande scipy : installez-le par pip install scipy.</translation>
     </message>
@@ -2441,6 +2457,10 @@
     <message>
         <source>Export begins with it</source>
         <translation>L'export commence par elle</translation>
+    </message>
+    <message>
+        <source>Export for the web</source>
+        <translation>Exporter pour le web</translation>
     </message>
     <message>
         <source>Export pattern</source>
@@ -3135,6 +3155,14 @@
         <translation>Garder les proportions</translation>
     </message>
     <message>
+        <source>Keep what is left</source>
+        <translation>Garder le reste</translation>
+    </message>
+    <message>
+        <source>Keep what is left...</source>
+        <translation>Garder le reste...</translation>
+    </message>
+    <message>
         <source>Kept, and offered by Export pattern: {}</source>
         <translation>Gardée, et proposée par « Exporter le patron » : {}</translation>
     </message>
@@ -3429,6 +3457,10 @@
     <message>
         <source>May be cut</source>
         <translation>Peut être coupé</translation>
+    </message>
+    <message>
+        <source>Measure (M)</source>
+        <translation>Mesurer (M)</translation>
     </message>
     <message>
         <source>Measured on the inflated balloon.</source>
@@ -3731,8 +3763,16 @@
         <translation>Remarques</translation>
     </message>
     <message>
+        <source>Nothing behind the balloon; else the picture is on white</source>
+        <translation>Rien derrière le ballon ; sinon l'image est sur fond blanc</translation>
+    </message>
+    <message>
         <source>Nothing can be computed without it; documents open and keep their shapes.</source>
         <translation>Sans lui, rien ne peut être calculé ; les documents s'ouvrent et gardent leurs formes.</translation>
+    </message>
+    <message>
+        <source>Nothing here writes an MP4: choose a GIF, or install opencv-python-headless with pip.</source>
+        <translation>Rien ici n'écrit de MP4 : choisissez un GIF, ou installez opencv-python-headless avec pip.</translation>
     </message>
     <message>
         <source>Nothing strays that is called "{0}": choose of {1}.</source>
@@ -3897,6 +3937,10 @@
     <message>
         <source>Open</source>
         <translation>Ouverte</translation>
+    </message>
+    <message>
+        <source>Open edge: {}</source>
+        <translation>Bord ouvert : {}</translation>
     </message>
     <message>
         <source>Open it, do not import it. Outline, holes and notches are on cut layers, without speed and power: take them from your material library. Welds (T1) and all that is drawn (T2) are on tool layers, which LightBurn never burns.</source>
@@ -4165,6 +4209,10 @@
     <message>
         <source>Pick the edge at which it is filled.</source>
         <translation>Choisissez le bord par lequel il est rempli.</translation>
+    </message>
+    <message>
+        <source>Picture (PNG)</source>
+        <translation>Image (PNG)</translation>
     </message>
     <message>
         <source>Picture, SVG, DXF or JSON</source>
@@ -4555,6 +4603,10 @@
         <translation>Échantillons : {0}, dont échoués : {1}, pas au repos : {2}</translation>
     </message>
     <message>
+        <source>Save as GIF or MP4</source>
+        <translation>Enregistrer en GIF ou MP4</translation>
+    </message>
+    <message>
         <source>Save files…</source>
         <translation>Enregistrer les fichiers…</translation>
     </message>
@@ -4565,6 +4617,10 @@
     <message>
         <source>Save results…</source>
         <translation>Enregistrer les résultats…</translation>
+    </message>
+    <message>
+        <source>Save the inflation</source>
+        <translation>Enregistrer le gonflage</translation>
     </message>
     <message>
         <source>Scale to fit</source>
@@ -4731,6 +4787,10 @@
         <translation>Couture {} : {}</translation>
     </message>
     <message>
+        <source>Seam {}: {}; {}</source>
+        <translation>Couture {} : {} ; {}</translation>
+    </message>
+    <message>
         <source>Seams</source>
         <translation>Coutures</translation>
     </message>
@@ -4829,6 +4889,10 @@
     <message>
         <source>Sheet {} of {}</source>
         <translation>Feuille {} sur {}</translation>
+    </message>
+    <message>
+        <source>Show all pieces (0)</source>
+        <translation>Montrer toutes les pièces (0)</translation>
     </message>
     <message>
         <source>Show the drawing and the silhouette over each other</source>
@@ -5863,6 +5927,10 @@
         <translation>Le maillage a été simplifié. Nombre de triangles qu’il avait : {0}.</translation>
     </message>
     <message>
+        <source>The moving picture was stopped.</source>
+        <translation>L'animation a été arrêtée.</translation>
+    </message>
+    <message>
         <source>The native solver cannot be saved. {0}</source>
         <translation>Le solveur natif ne peut pas être enregistré. {0}</translation>
     </message>
@@ -6719,10 +6787,6 @@
         <translation>Épaisseur du trait ([ plus fin, ] plus épais)</translation>
     </message>
     <message>
-        <source>This OpenCV writes no MP4: take --animation gif, or install opencv-python-headless with pip.</source>
-        <translation>Cet OpenCV n'écrit pas de MP4 : prenez --animation gif, ou installez opencv-python-headless avec pip.</translation>
-    </message>
-    <message>
         <source>This Python has no working ctypes module, which SciPy and the native solver need: patterns can be changed and written, but no balloon can be inflated anew. Take another build of FreeCAD or of Python.</source>
         <translation>Ce Python n'a pas de module ctypes qui marche, dont SciPy et le solveur natif ont besoin : les patrons peuvent être modifiés et écrits, mais aucun ballon ne peut être gonflé de nouveau. Prenez une autre version compilée de FreeCAD ou de Python.</translation>
     </message>
@@ -6881,6 +6945,10 @@
     <message>
         <source>Tracing paper, 92 g/m²</source>
         <translation>Papier calque, 92 g/m²</translation>
+    </message>
+    <message>
+        <source>Transparent ground</source>
+        <translation>Fond transparent</translation>
     </message>
     <message>
         <source>Triangle {0} of panel {1} has no area. Mesh the panel anew.</source>
@@ -7051,6 +7119,10 @@
         <translation>Point le plus faible : {0} en {1}, estimé : le film n'est pas arrivé au repos</translation>
     </message>
     <message>
+        <source>Web page that turns the balloon (HTML)</source>
+        <translation>Page web qui tourne le ballon (HTML)</translation>
+    </message>
+    <message>
         <source>Weight</source>
         <translation>Masse</translation>
     </message>
@@ -7107,6 +7179,10 @@
         <translation>Soudez par haute fréquence le long de la ligne en tirets, sur {seal} de large ; laissez l'embouchure du col ouverte.</translation>
     </message>
     <message>
+        <source>Weld: {}</source>
+        <translation>Soudure : {}</translation>
+    </message>
+    <message>
         <source>Welded across, last</source>
         <translation>Soudées en travers, en dernier</translation>
     </message>
@@ -7121,6 +7197,10 @@
     <message>
         <source>Welds easily with an impulse sealer or an iron. Yields at about 9 MPa, half its tensile strength, and creeps: keep the pressure low.</source>
         <translation>Se soude facilement à la soudeuse à impulsion ou au fer. Cède vers 9 MPa, la moitié de sa résistance, et flue : gardez la pression basse.</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Quoi</translation>
     </message>
     <message>
         <source>What is cut is a line in the spot colour CutContour, which prints over the picture and leaves no gap in it. With artwork both are in artwork-print-and-cut-pdf.pdf. The shop's program adds marks of its own.</source>
@@ -7295,6 +7375,14 @@
         <translation>Écrire le fichier bien qu'il soit plus grand que le plateau</translation>
     </message>
     <message>
+        <source>Write these frames as a moving picture, with the artwork, on white</source>
+        <translation>Écrire ces images en animation, avec l'impression, sur fond blanc</translation>
+    </message>
+    <message>
+        <source>Write what is left of the film to a file, for another layout</source>
+        <translation>Écrire ce qui reste du film dans un fichier, pour une autre disposition</translation>
+    </message>
+    <message>
         <source>Write {"a": ["top", 0, 1], "b": ["side", 3, 2]}.</source>
         <translation>Écrivez {"a": ["top", 0, 1], "b": ["side", 3, 2]}.</translation>
     </message>
@@ -7333,6 +7421,10 @@
     <message>
         <source>Writing {0}</source>
         <translation>Écriture de {0}</translation>
+    </message>
+    <message>
+        <source>Written to {}</source>
+        <translation>Écrit dans {}</translation>
     </message>
     <message>
         <source>Wrote {0}</source>
@@ -8619,6 +8711,10 @@
         <translation>{0} n'est pas un corps : donnez un solide, un maillage ou le chemin d'un fichier.</translation>
     </message>
     <message>
+        <source>{0} is no file for the web: let the name end in .glb, .html, .png, .gif or .mp4.</source>
+        <translation>{0} n'est pas un fichier pour le web : terminez le nom par .glb, .html, .png, .gif ou .mp4.</translation>
+    </message>
+    <message>
         <source>{0} is no number: list its values.</source>
         <translation>{0} n'est pas un nombre : énumérez ses valeurs.</translation>
     </message>
@@ -8657,6 +8753,10 @@
     <message>
         <source>{0} is not up to date. {1} Repair that, recompute and export again.</source>
         <translation>{0} n'est pas à jour. {1} Réparez cela, recalculez et exportez à nouveau.</translation>
+    </message>
+    <message>
+        <source>{0} is not worked out yet: recompute the document.</source>
+        <translation>{0} n'est pas encore calculé : recalculez le document.</translation>
     </message>
     <message>
         <source>{0} is open: close its line.</source>
@@ -9078,6 +9178,10 @@
         <source>{}: {}</source>
         <translation>{} : {}</translation>
     </message>
+    <message>
+        <source>{}: {}, flat</source>
+        <translation>{} : {}, à plat</translation>
+    </message>
 </context>
 <context>
     <name>BalloonWorkbench_Advice</name>
@@ -9165,6 +9269,17 @@
     <message>
         <source>Open a finished balloon, to look at it and to change it</source>
         <translation>Ouvre un ballon terminé, à regarder et à modifier</translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_ExportForWeb</name>
+    <message>
+        <source>Export for the web</source>
+        <translation>Exporter pour le web</translation>
+    </message>
+    <message>
+        <source>Write the balloon with its artwork as a web page that turns it, as a 3D model or as a picture</source>
+        <translation>Écrire le ballon avec son impression : page web qui le tourne, modèle 3D ou image</translation>
     </message>
 </context>
 <context>
@@ -9264,6 +9379,17 @@
     <message>
         <source>Paint a balloon</source>
         <translation>Peindre un ballon</translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_PatternView</name>
+    <message>
+        <source>Pattern view</source>
+        <translation>Vue du patron</translation>
+    </message>
+    <message>
+        <source>Show all panels flat in a tab of their own: pick an edge to see its partner, and measure</source>
+        <translation>Montrer tous les panneaux à plat dans leur onglet : choisir un bord montre son vis-à-vis ; et mesurer</translation>
     </message>
 </context>
 <context>

@@ -1343,6 +1343,10 @@
         <translation>配置できるのは 1～{0} 枚です（{1} は不可）。</translation>
     </message>
     <message>
+        <source>3D model (GLB)</source>
+        <translation>3D モデル (GLB)</translation>
+    </message>
+    <message>
         <source>95 % below {} ({})</source>
         <translation>95 % が {} 以下（{}）</translation>
     </message>
@@ -2115,6 +2119,10 @@
         <translation>継ぎ目をクリックすると、両側のパネルが 1 枚になります</translation>
     </message>
     <message>
+        <source>Click an edge to see what it is sealed to.</source>
+        <translation>辺をクリックすると、どの辺とシールするかが分かります。</translation>
+    </message>
+    <message>
         <source>Click both ends of a length that you know; a third click moves the nearer mark.</source>
         <translation>分かっている長さの両端をクリックします。3 回目のクリックは近い方の印を動かします。</translation>
     </message>
@@ -2129,6 +2137,10 @@
     <message>
         <source>Click two places: a seam runs between them</source>
         <translation>2 か所をクリックすると、その間に継ぎ目が通ります</translation>
+    </message>
+    <message>
+        <source>Click two points to measure between them.</source>
+        <translation>二つの点をクリックすると、その間を測ります。</translation>
     </message>
     <message>
         <source>Click where the new seam begins. Esc: done.</source>
@@ -2291,6 +2303,10 @@
         <translation>断面、図、立体との隔たり</translation>
     </message>
     <message>
+        <source>Distance {}, across {}, up {}</source>
+        <translation>距離 {}、横 {}、縦 {}</translation>
+    </message>
+    <message>
         <source>Dividing a body needs scipy: install it with pip install scipy.</source>
         <translation>立体の分割には scipy が必要です。pip install scipy で入れてください。</translation>
     </message>
@@ -2441,6 +2457,10 @@
     <message>
         <source>Export begins with it</source>
         <translation>書き出しの最初の機械にする</translation>
+    </message>
+    <message>
+        <source>Export for the web</source>
+        <translation>ウェブ用に書き出す</translation>
     </message>
     <message>
         <source>Export pattern</source>
@@ -3135,6 +3155,14 @@
         <translation>縦横比を保つ</translation>
     </message>
     <message>
+        <source>Keep what is left</source>
+        <translation>残りを保存</translation>
+    </message>
+    <message>
+        <source>Keep what is left...</source>
+        <translation>残りを保存...</translation>
+    </message>
+    <message>
         <source>Kept, and offered by Export pattern: {}</source>
         <translation>残しました。「型紙を書き出す」で選べます：{}</translation>
     </message>
@@ -3429,6 +3457,10 @@
     <message>
         <source>May be cut</source>
         <translation>切ってよい</translation>
+    </message>
+    <message>
+        <source>Measure (M)</source>
+        <translation>測る (M)</translation>
     </message>
     <message>
         <source>Measured on the inflated balloon.</source>
@@ -3731,8 +3763,16 @@
         <translation>注記</translation>
     </message>
     <message>
+        <source>Nothing behind the balloon; else the picture is on white</source>
+        <translation>風船の後ろを透明にします。そうでなければ背景は白です</translation>
+    </message>
+    <message>
         <source>Nothing can be computed without it; documents open and keep their shapes.</source>
         <translation>これがないと何も計算できません。文書は開け、形は残ります。</translation>
+    </message>
+    <message>
+        <source>Nothing here writes an MP4: choose a GIF, or install opencv-python-headless with pip.</source>
+        <translation>ここでは MP4 を書き出せません。GIF を選ぶか、pip で opencv-python-headless を入れてください。</translation>
     </message>
     <message>
         <source>Nothing strays that is called "{0}": choose of {1}.</source>
@@ -3897,6 +3937,10 @@
     <message>
         <source>Open</source>
         <translation>開いたまま</translation>
+    </message>
+    <message>
+        <source>Open edge: {}</source>
+        <translation>開いた辺: {}</translation>
     </message>
     <message>
         <source>Open it, do not import it. Outline, holes and notches are on cut layers, without speed and power: take them from your material library. Welds (T1) and all that is drawn (T2) are on tool layers, which LightBurn never burns.</source>
@@ -4165,6 +4209,10 @@
     <message>
         <source>Pick the edge at which it is filled.</source>
         <translation>空気を入れる辺を選んでください。</translation>
+    </message>
+    <message>
+        <source>Picture (PNG)</source>
+        <translation>画像 (PNG)</translation>
     </message>
     <message>
         <source>Picture, SVG, DXF or JSON</source>
@@ -4555,6 +4603,10 @@
         <translation>サンプル：{0}、うち失敗：{1}、静止せず：{2}</translation>
     </message>
     <message>
+        <source>Save as GIF or MP4</source>
+        <translation>GIF または MP4 で保存</translation>
+    </message>
+    <message>
         <source>Save files…</source>
         <translation>ファイルを保存…</translation>
     </message>
@@ -4565,6 +4617,10 @@
     <message>
         <source>Save results…</source>
         <translation>結果を保存…</translation>
+    </message>
+    <message>
+        <source>Save the inflation</source>
+        <translation>ふくらみの動画を保存</translation>
     </message>
     <message>
         <source>Scale to fit</source>
@@ -4731,6 +4787,10 @@
         <translation>継ぎ目 {}：{}</translation>
     </message>
     <message>
+        <source>Seam {}: {}; {}</source>
+        <translation>シーム {}: {}、{}</translation>
+    </message>
+    <message>
         <source>Seams</source>
         <translation>継ぎ目</translation>
     </message>
@@ -4829,6 +4889,10 @@
     <message>
         <source>Sheet {} of {}</source>
         <translation>シート {}/{}</translation>
+    </message>
+    <message>
+        <source>Show all pieces (0)</source>
+        <translation>すべての部品を表示 (0)</translation>
     </message>
     <message>
         <source>Show the drawing and the silhouette over each other</source>
@@ -5863,6 +5927,10 @@
         <translation>メッシュを単純にしました。元の三角形の数: {0}。</translation>
     </message>
     <message>
+        <source>The moving picture was stopped.</source>
+        <translation>動画の書き出しを止めました。</translation>
+    </message>
+    <message>
         <source>The native solver cannot be saved. {0}</source>
         <translation>ネイティブソルバーを保存できません。{0}</translation>
     </message>
@@ -6719,10 +6787,6 @@
         <translation>ペンの太さ（[ 細く、] 太く）</translation>
     </message>
     <message>
-        <source>This OpenCV writes no MP4: take --animation gif, or install opencv-python-headless with pip.</source>
-        <translation>この OpenCV は MP4 を書き出せません。--animation gif を使うか、pip で opencv-python-headless を入れてください。</translation>
-    </message>
-    <message>
         <source>This Python has no working ctypes module, which SciPy and the native solver need: patterns can be changed and written, but no balloon can be inflated anew. Take another build of FreeCAD or of Python.</source>
         <translation>この Python では、SciPy とネイティブソルバーに必要な ctypes モジュールが動きません。型紙の変更と書き出しはできますが、風船を新たにふくらませることはできません。別のビルドの FreeCAD か Python を使ってください。</translation>
     </message>
@@ -6881,6 +6945,10 @@
     <message>
         <source>Tracing paper, 92 g/m²</source>
         <translation>トレーシングペーパー、92 g/m²</translation>
+    </message>
+    <message>
+        <source>Transparent ground</source>
+        <translation>背景を透明に</translation>
     </message>
     <message>
         <source>Triangle {0} of panel {1} has no area. Mesh the panel anew.</source>
@@ -7051,6 +7119,10 @@
         <translation>最も弱い所：{0}（位置 {1}）、推定値：フィルムが静止しませんでした</translation>
     </message>
     <message>
+        <source>Web page that turns the balloon (HTML)</source>
+        <translation>風船を回せるウェブページ (HTML)</translation>
+    </message>
+    <message>
         <source>Weight</source>
         <translation>重さ</translation>
     </message>
@@ -7107,6 +7179,10 @@
         <translation>高周波で、破線に沿って幅 {seal} で溶着します。首の口は開けておきます。</translation>
     </message>
     <message>
+        <source>Weld: {}</source>
+        <translation>溶着: {}</translation>
+    </message>
+    <message>
         <source>Welded across, last</source>
         <translation>最後に横切って溶着</translation>
     </message>
@@ -7121,6 +7197,10 @@
     <message>
         <source>Welds easily with an impulse sealer or an iron. Yields at about 9 MPa, half its tensile strength, and creeps: keep the pressure low.</source>
         <translation>インパルスシーラーかアイロンで簡単に溶着できます。引張強さの半分の約 9 MPa で降伏し、クリープするので、圧力は低くしてください。</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>種類</translation>
     </message>
     <message>
         <source>What is cut is a line in the spot colour CutContour, which prints over the picture and leaves no gap in it. With artwork both are in artwork-print-and-cut-pdf.pdf. The shop's program adds marks of its own.</source>
@@ -7295,6 +7375,14 @@
         <translation>加工台より大きくてもファイルを書き出します</translation>
     </message>
     <message>
+        <source>Write these frames as a moving picture, with the artwork, on white</source>
+        <translation>このコマを、印刷つき、白い背景の動画として書き出します</translation>
+    </message>
+    <message>
+        <source>Write what is left of the film to a file, for another layout</source>
+        <translation>フィルムの残りを、別の配置に使えるファイルに書き出します</translation>
+    </message>
+    <message>
         <source>Write {"a": ["top", 0, 1], "b": ["side", 3, 2]}.</source>
         <translation>{"a": ["top", 0, 1], "b": ["side", 3, 2]} と書いてください。</translation>
     </message>
@@ -7333,6 +7421,10 @@
     <message>
         <source>Writing {0}</source>
         <translation>{0} を書き出しています</translation>
+    </message>
+    <message>
+        <source>Written to {}</source>
+        <translation>{} に書き出しました</translation>
     </message>
     <message>
         <source>Wrote {0}</source>
@@ -8619,6 +8711,10 @@
         <translation>{0} は立体ではありません。ソリッド、メッシュ、またはファイルのパスを渡してください。</translation>
     </message>
     <message>
+        <source>{0} is no file for the web: let the name end in .glb, .html, .png, .gif or .mp4.</source>
+        <translation>{0} はウェブ用のファイルではありません。名前の終わりを .glb、.html、.png、.gif、.mp4 のどれかにしてください。</translation>
+    </message>
+    <message>
         <source>{0} is no number: list its values.</source>
         <translation>{0} は数ではありません。値を並べてください。</translation>
     </message>
@@ -8657,6 +8753,10 @@
     <message>
         <source>{0} is not up to date. {1} Repair that, recompute and export again.</source>
         <translation>{0} は最新ではありません。{1} それを直し、再計算してから書き出してください。</translation>
+    </message>
+    <message>
+        <source>{0} is not worked out yet: recompute the document.</source>
+        <translation>{0} はまだ計算されていません。ドキュメントを再計算してください。</translation>
     </message>
     <message>
         <source>{0} is open: close its line.</source>
@@ -9078,6 +9178,10 @@
         <source>{}: {}</source>
         <translation>{}：{}</translation>
     </message>
+    <message>
+        <source>{}: {}, flat</source>
+        <translation>{}: {}、平ら</translation>
+    </message>
 </context>
 <context>
     <name>BalloonWorkbench_Advice</name>
@@ -9165,6 +9269,17 @@
     <message>
         <source>Open a finished balloon, to look at it and to change it</source>
         <translation>完成した風船を開いて、見たり変えたりする</translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_ExportForWeb</name>
+    <message>
+        <source>Export for the web</source>
+        <translation>ウェブ用に書き出す</translation>
+    </message>
+    <message>
+        <source>Write the balloon with its artwork as a web page that turns it, as a 3D model or as a picture</source>
+        <translation>印刷つきの風船を、回せるウェブページ、3D モデル、または画像として書き出します</translation>
     </message>
 </context>
 <context>
@@ -9264,6 +9379,17 @@
     <message>
         <source>Paint a balloon</source>
         <translation>風船を描く</translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_PatternView</name>
+    <message>
+        <source>Pattern view</source>
+        <translation>型紙の表示</translation>
+    </message>
+    <message>
+        <source>Show all panels flat in a tab of their own: pick an edge to see its partner, and measure</source>
+        <translation>すべてのパネルを別のタブに平らに表示します。辺を選ぶと相手の辺が分かり、長さも測れます</translation>
     </message>
 </context>
 <context>
