@@ -58,12 +58,19 @@ def select_behind(obj) -> None:
     if not _restoring:
         _restoring.append(QtCore.QTimer())
         _restoring[0].setSingleShot(True)
-        _restoring[0].timeout.connect(lambda: App.ParamGet(_TREE).SetBool(_SYNC, True))
+        _restoring[0].timeout.connect(_restore)
+        QtCore.QCoreApplication.instance().aboutToQuit.connect(
+            lambda: _restore() if _restoring[0].isActive() else None
+        )
     if _restoring[0].isActive() or tree.GetBool(_SYNC, syncs_views()):
         tree.SetBool(_SYNC, False)
         _restoring[0].start(_LATER)
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(obj)
+
+
+def _restore() -> None:
+    App.ParamGet(_TREE).SetBool(_SYNC, True)
 
 
 class SelectionWatch(Guarded):
