@@ -26,7 +26,16 @@ FIRST = next(number for number, code in enumerate(BLOCKS) if 'newDocument("Examp
 RUN = BLOCKS[FIRST:]
 #: Of many panels; to fit arcs to all of them takes longer than the balloons.
 MANY = 'mesh_size="40 mm"'
-FILES = {"fish.dxf", "fish.stl", "fish.pdf", "remnant.json", "card/test-card.gcode", "as-made/compare.json"}
+FILES = {
+    "fish.dxf",
+    "fish.stl",
+    "fish.pdf",
+    "fish.html",
+    "fish.png",
+    "remnant.json",
+    "card/test-card.gcode",
+    "as-made/compare.json",
+}
 
 
 def called(code):

@@ -46,7 +46,8 @@ class PieceView(QtWidgets.QGraphicsView):
         self.scale(1.0, -1.0)
 
     def show_pieces(self, pieces: PatternPieces) -> None:
-        """Show other pieces, as large as they were."""
+        """Show other pieces, as large as they were; the first ones whole."""
+        self._fitted = self._fitted or self.pieces is None
         self.pieces, self._places = pieces, []
         self.scene().show_pieces(pieces)
         if self._fitted:
