@@ -130,7 +130,10 @@ class PatternTab(QtWidgets.QWidget):
     # what is picked and measured
 
     def pick(self, number: int | None) -> None:
-        """Light an edge and its partner, tell of them, and select the piece in the active document; None: nothing."""
+        """Light an edge and its partner, and tell of them; None: nothing.
+
+        In the active document the piece is selected too: in others FreeCAD would bring their 3D view to front.
+        """
         if self.obj is None or self.view.pieces is None:
             return
         if number is None:
@@ -140,9 +143,7 @@ class PatternTab(QtWidgets.QWidget):
         partner = self.view.pieces.partner(number)
         self.view.scene().light([number] if partner is None else [number, partner])
         self.line.setText(self._text_of(number, partner))
-        if (
-            self.obj.Document == App.ActiveDocument
-        ):  # else FreeCAD would bring that document's 3D view to the front
+        if self.obj.Document == App.ActiveDocument:
             select_behind(_object_of(self.obj, self.view.pieces.edges[number].piece + 1))
 
     def _text_of(self, number: int, partner: int | None) -> str:
