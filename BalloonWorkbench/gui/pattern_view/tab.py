@@ -132,7 +132,7 @@ class PatternTab(QtWidgets.QWidget):
     def pick(self, number: int | None) -> None:
         """Light an edge and its partner, and tell of them; None: nothing.
 
-        In the active document the piece is selected too: in others FreeCAD would bring their 3D view to front.
+        In the active document the piece is selected too: in others FreeCAD would show their 3D view.
         """
         if self.obj is None or self.view.pieces is None:
             return
