@@ -11,11 +11,14 @@ from typing import Any, NamedTuple
 
 import FreeCAD as App
 
+from BalloonWorkbench.app import host
 from BalloonWorkbench.app.properties.property_table import Property, shown_value
 
 PATH = "User parameter:BaseApp/Preferences/Mod/BalloonWorkbench"
 _BEDS = f"{PATH}/Beds"  # by the name of the machine, as text
 _TABS, _TABS_BELOW = f"{PATH}/Tabs", f"{PATH}/TabsBelow"  # the same, as lengths in mm
+#: FreeCAD's own, about its tree.
+_SYNC, _TREE = "SyncView", "User parameter:BaseApp/Preferences/TreeView"
 _RECENT, _CARD = "RecentExportFolder", "RecentTestCard"
 _MACHINE = "FilmBalloonMachine"  # of a document
 _GENERAL, _OPENED = "User parameter:BaseApp/Preferences/General", "FileOpenSavePath"  # FreeCAD's own
@@ -211,3 +214,13 @@ def settings():
         if option.property_name in known
     }
     return Settings(film=known_films()[get("Film")], **begun)
+
+
+def syncs_views() -> bool:
+    """Whether FreeCAD brings the 3D view of what is selected to the front, as it does since 1.0."""
+    return bool(App.ParamGet(_TREE).GetBool(_SYNC, host.syncs_views()))
+
+
+def put_syncs_views(on: bool) -> None:
+    """Let FreeCAD do so, or not."""
+    App.ParamGet(_TREE).SetBool(_SYNC, on)

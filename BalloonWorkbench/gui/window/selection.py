@@ -3,16 +3,13 @@
 
 from __future__ import annotations
 
-import FreeCAD as App
 import FreeCADGui as Gui
 
 from BalloonWorkbench.app.border.guard import Guarded
 from BalloonWorkbench.app.document.parts import parts_of
-from BalloonWorkbench.app.host import syncs_views
+from BalloonWorkbench.app.properties import preferences
 from BalloonWorkbench.gui.qt import QtCore
 
-#: FreeCAD's preference to bring the 3D view of what is selected to the front, on since 1.0.
-_SYNC, _TREE = "SyncView", "User parameter:BaseApp/Preferences/TreeView"
 _LATER = 500  # ms in which its tree has taken a selection over
 _restoring: list[QtCore.QTimer] = []
 
@@ -54,7 +51,6 @@ def selected_body():
 
 def select_behind(obj) -> None:
     """Select an object alone; the tab in front stays there, whatever FreeCAD does with what is selected."""
-    tree = App.ParamGet(_TREE)
     if not _restoring:
         _restoring.append(QtCore.QTimer())
         _restoring[0].setSingleShot(True)
@@ -62,15 +58,15 @@ def select_behind(obj) -> None:
         QtCore.QCoreApplication.instance().aboutToQuit.connect(
             lambda: _restore() if _restoring[0].isActive() else None
         )
-    if _restoring[0].isActive() or tree.GetBool(_SYNC, syncs_views()):
-        tree.SetBool(_SYNC, False)
+    if _restoring[0].isActive() or preferences.syncs_views():
+        preferences.put_syncs_views(False)
         _restoring[0].start(_LATER)
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(obj)
 
 
 def _restore() -> None:
-    App.ParamGet(_TREE).SetBool(_SYNC, True)
+    preferences.put_syncs_views(True)
 
 
 class SelectionWatch(Guarded):
