@@ -31,14 +31,20 @@ _done: list = []  # what the window has made already and a call being recorded s
 
 
 def _bordered(function: Callable[..., _Result]) -> Callable[..., _Result]:
-    """The function with a border: what nobody foresaw is raised as ProgramFault, from what it was."""
+    """The function with a border: what nobody foresaw is raised as ProgramFault, from what it was.
+
+    One that works on Parts takes any object of a balloon for them.
+    """
     taken = signature(function)
+    made = next((each.name for each in taken.parameters.values() if each.annotation == Parts.__name__), None)
 
     @wraps(function)
     def call(*positional, **named):
-        taken.bind(*positional, **named)  # a call that does not fit is the caller's TypeError
+        given = taken.bind(*positional, **named)  # a call that does not fit is the caller's TypeError
         try:
-            return function(*positional, **named)
+            if made is not None and not isinstance(given.arguments[made], Parts):
+                given.arguments[made] = _parts_with(given.arguments[made])
+            return function(*given.args, **given.kwargs)
         except BalloonError:
             raise
         except faults.UNFORESEEN as error:
@@ -100,9 +106,14 @@ def from_body(doc, source, **options) -> Parts:
 @_bordered
 def parts(obj) -> Parts:
     """The balloon that an object or its group belongs to; InputError for other objects."""
-    balloon_parts = parts_of(obj)
+    return _parts_with(obj)
+
+
+def _parts_with(obj) -> Parts:
+    balloon_parts = parts_of(obj) if hasattr(obj, "TypeId") else None
     if balloon_parts is None:
-        raise InputError(f"{obj.Label} belongs to no balloon: choose an outline, a balloon or a pattern.")
+        label = getattr(obj, "Label", obj)
+        raise InputError(f"{label} belongs to no balloon: choose an outline, a balloon or a pattern.")
     return balloon_parts
 
 

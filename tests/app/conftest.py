@@ -5,6 +5,7 @@ import sys
 from pathlib import Path
 
 import FreeCAD as App
+import numpy as np
 import pytest
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "core"))  # for counting.py
@@ -12,6 +13,7 @@ sys.path.append(str(Path(__file__).resolve().parents[1] / "core"))  # for counti
 from remembered import remembered
 
 from BalloonWorkbench.app.border import status
+from BalloonWorkbench.core.artwork.files import png_bytes
 from BalloonWorkbench.core.nesting import nest
 
 
@@ -28,6 +30,16 @@ def short_layouts():
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(nest, "_LIMIT", 8)  # s
         yield
+
+
+@pytest.fixture
+def picture(tmp_path):
+    """A file of a picture whose left half is blue, the right half red."""
+    pixels = np.full((60, 80, 4), (20, 40, 200, 255), np.uint8)
+    pixels[:, 40:] = (200, 30, 30, 255)
+    path = tmp_path / "two colours.png"
+    path.write_bytes(png_bytes(pixels, 100.0))
+    return path
 
 
 @pytest.fixture

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The Python API gives what the objects' properties say, and refuses what they do not know."""
 
+from inspect import signature
 from pathlib import Path
 
 import FreeCAD as App
@@ -55,6 +56,38 @@ def test_any_object_leads_to_its_balloon(parts):
 def test_foreign_object_is_refused(parts):
     with pytest.raises(InputError, match="belongs to no balloon"):
         BalloonWorkbench.parts(parts.outline.Source[0])
+
+
+#: Functions that work on a balloon, and how many words they need besides.
+OF_PARTS = [
+    (
+        name,
+        sum(
+            each.default is each.empty and each.kind is not each.VAR_KEYWORD
+            for each in taken.parameters.values()
+        )
+        - 1,
+    )
+    for name, taken in ((name, signature(getattr(BalloonWorkbench, name))) for name in BalloonWorkbench._API)
+    if next(iter(taken.parameters.values())).annotation == "Parts"
+]
+
+
+@pytest.mark.parametrize(("name", "words"), OF_PARTS)
+def test_what_works_on_a_balloon_takes_any_object_of_it(parts, name, words):
+    """And refuses all else in a sentence: that is no fault of the program."""
+    for wrong in (None, "fish", 3, parts.outline.Source[0], App.ActiveDocument):
+        with pytest.raises(InputError, match="belongs to no balloon"):
+            getattr(BalloonWorkbench, name)(wrong, *[""] * words)
+
+
+def test_an_object_stands_for_its_balloon(parts, tmp_path):
+    assert len(OF_PARTS) >= 9
+    assert BalloonWorkbench.findings(parts.balloon) == BalloonWorkbench.findings(parts)
+    assert BalloonWorkbench.share(parts.pattern, tmp_path / "it.glb").stat().st_size > 1000
+    assert BalloonWorkbench.share(made=parts.balloon, path=tmp_path / "so.glb").read_bytes() == (
+        BalloonWorkbench.share(parts.outline, tmp_path / "it.glb").read_bytes()
+    )
 
 
 @pytest.mark.parametrize("wanted", [{"colour": 1}, {"Pressure": 1}, {"volume": "1 l"}])

@@ -39,10 +39,8 @@ def comparing(parts, photo, scale: str, rim=None, fit: bool = False):
             raise InputError(
                 f"{obj.Label} is not up to date. {status.problem(obj)} Repair that and recompute."
             )
-    measured, made = (
-        parse_photo_scale(scale),
-        (film_result.design(parts.balloon), pattern.build(parts.pattern)),
-    )
+    measured = parse_photo_scale(scale)
+    made = film_result.design(parts.balloon), pattern.build(parts.pattern)
     usual = rim_of(film.read(parts.balloon), pattern.values(parts.pattern))
     beyond = usual if rim is None else _rim(rim)
     settings = balloon.request(parts.balloon).settings

@@ -9,7 +9,7 @@ from BalloonWorkbench.core.pattern.pieces import PatternPieces
 from BalloonWorkbench.core.units import from_mm, to_mm
 from BalloonWorkbench.gui.pattern_view.piece_scene import PieceScene
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, position
-from BalloonWorkbench.gui.window.zoom_keys import FIT, LARGER, PULL, SMALLER, STEP, wheel_zoom
+from BalloonWorkbench.gui.window.zoom_keys import FIT, LARGER, PULL, SMALLER, STEP, OwnKeys, wheel_zoom
 
 _AROUND = 0.03  # of the pieces' size, left free beside them
 _FARTHEST, _NEAREST = 0.1, 400.0  # of the zoom that shows everything
@@ -17,7 +17,7 @@ MEASURE = QtCore.Qt.Key_M
 NEAR = 9.0  # px within which an edge or a point is meant
 
 
-class PieceView(QtWidgets.QGraphicsView):
+class PieceView(OwnKeys, QtWidgets.QGraphicsView):
     """`picked` carries the number of an edge, None beside all; `measured` two places (2,) m."""
 
     picked = QtCore.Signal(object)
@@ -148,20 +148,6 @@ class PieceView(QtWidgets.QGraphicsView):
         self.mousePressEvent(event)
 
     # keys
-
-    def event(self, event):
-        # FreeCAD would take these keys for its own shortcuts
-        if event.type() == QtCore.QEvent.ShortcutOverride and self._action(event) is not None:
-            event.accept()
-            return True
-        return super().event(event)
-
-    def keyPressEvent(self, event):
-        action = self._action(event)
-        if action is None:
-            super().keyPressEvent(event)
-        else:
-            action()
 
     def keyReleaseEvent(self, event):
         if event.key() == PULL and not event.isAutoRepeat():

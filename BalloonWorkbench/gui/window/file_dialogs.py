@@ -4,8 +4,11 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
+from pathlib import Path
 
 from BalloonWorkbench.app.properties import preferences
+from BalloonWorkbench.core.errors import ExportError
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 
 _PICTURES = ("png", "jpg", "jpeg", "bmp")
@@ -39,30 +42,28 @@ def ask_for_remnant(parent) -> str | None:
     return _ask(parent, translate("Choose a remnant"), _kind(translate("Remnants"), ("json",)))
 
 
-def ask_where_to_keep_remnant(parent, path) -> str | None:
-    """The path for what is left of film, first offered `path`; None where the user does not choose one."""
-    kinds = _kind(translate("Remnants"), ("json",))
-    chosen, _ = QtWidgets.QFileDialog.getSaveFileName(
-        parent, translate("Keep what is left"), str(path), kinds
-    )
-    return chosen or None
-
-
 def ask_for_picture(parent, *more: str) -> str | None:
     """The path of a picture, also with more endings; None where the user does not choose one."""
     return _ask(parent, translate("Choose a picture"), _kind(translate("Pictures"), _PICTURES + more))
 
 
-def ask_for_moving_picture(parent, path: str) -> str | None:
-    """The path of a GIF or an MP4 to be written, where `path` is offered; None where the user does not choose
-    one. A name without one of their endings gets that of the kind that was chosen.
+def ask_where_to_write(parent, title: str, doc, name: str, kinds: Mapping[str, str]) -> str | None:
+    """The path of a file to be written, first offered in the folder of a document's exports; None where the
+    user does not choose one.
+
+    kinds  by their endings, such as "gif", what they are called; a name without one of these endings gets
+           that of the kind that was chosen
+    Raises ExportError where the file is there then: the dialog has asked about another name.
     """
-    kinds = {f"{name} (*.{ending})": f".{ending}" for name, ending in (("GIF", "gif"), ("MP4", "mp4"))}
-    title = translate("Save the inflation")
-    chosen, kind = QtWidgets.QFileDialog.getSaveFileName(parent, title, path, ";;".join(kinds))
-    if not chosen or chosen.lower().endswith(tuple(kinds.values())):
-        return chosen or None
-    return chosen + kinds.get(kind, ".gif")
+    lines, first = {f"{kind} (*.{ending})": ending for ending, kind in kinds.items()}, next(iter(kinds))
+    offered = str(preferences.export_folder(doc) / f"{name}.{first}")
+    path, line = QtWidgets.QFileDialog.getSaveFileName(parent, title, offered, ";;".join(lines))
+    if not path or Path(path).suffix.lower().lstrip(".") in kinds:
+        return path or None
+    path += "." + lines.get(line, first)
+    if Path(path).exists():
+        raise ExportError(translate("{} is there already: give another name.").format(Path(path).name))
+    return path
 
 
 def _ask(parent, title: str, kinds: str) -> str | None:

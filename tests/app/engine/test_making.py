@@ -16,7 +16,6 @@ from BalloonWorkbench.app.document import create, kinds
 from BalloonWorkbench.app.engine import maker
 from BalloonWorkbench.app.engine.export import check_for, export_for
 from BalloonWorkbench.app.properties import film as film_values
-from BalloonWorkbench.core.artwork.files import png_bytes
 from BalloonWorkbench.core.errors import ExportError, InputError
 from BalloonWorkbench.core.film.library import film
 from BalloonWorkbench.core.machines.own.keep import machine_data
@@ -41,16 +40,6 @@ def solved():
 def rows(monkeypatch):
     """Laid out in rows: quick, and the same wherever the tests run."""
     monkeypatch.setattr(nesting, "PACKAGE", "no_such_package")
-
-
-@pytest.fixture
-def picture(tmp_path):
-    """Left half blue, right half red."""
-    pixels = np.full((60, 80, 4), (20, 40, 200, 255), np.uint8)
-    pixels[:, 40:] = (200, 30, 30, 255)
-    path = tmp_path / "two colours.png"
-    path.write_bytes(png_bytes(pixels, 100.0))
-    return path
 
 
 def test_artwork_needs_a_picture(parts, picture, tmp_path):

@@ -37,16 +37,6 @@ def solved():
     App.closeDocument(name)
 
 
-@pytest.fixture
-def picture(tmp_path):
-    """Left half blue, right half red."""
-    pixels = np.full((60, 80, 4), (20, 40, 200, 255), np.uint8)
-    pixels[:, 40:] = (200, 30, 30, 255)
-    path = tmp_path / "two colours.png"
-    path.write_bytes(png_bytes(pixels, 100.0))
-    return path
-
-
 def read_glb(path):
     """The scene of a GLB file, and a function that reads one of its accessors: by its own definition."""
     data = path.read_bytes()

@@ -95,6 +95,22 @@ def type_name(text):
     hands.find("File").editingFinished.emit()
 
 
+def test_a_chosen_name_without_its_ending_is_another_file(panel, tmp_path, stand_in):
+    """The dialog has asked about "mine", not about the file that is written."""
+    there = tmp_path / "mine.dxf"
+    there.write_text("precious")
+    dialog = hands.QtWidgets.QFileDialog
+    stand_in.setattr(dialog, "getSaveFileName", staticmethod(lambda *_: (str(tmp_path / "mine"), "")))
+    hands.find("File").parent()._browse()
+    assert not hands.find("FileReplace").isChecked()
+    hands.press("Ok")
+    assert "mine.dxf" in hands.message()
+    assert there.read_text() == "precious"
+    stand_in.setattr(dialog, "getSaveFileName", staticmethod(lambda *_: (str(there), "")))
+    hands.find("File").parent()._browse()
+    assert hands.find("FileReplace").isChecked()
+
+
 def test_no_file_is_replaced_unasked(panel, tmp_path):
     """A box asks; its tick is for that name only."""
     there = tmp_path / "mine.dxf"

@@ -14,7 +14,6 @@ from BalloonWorkbench.app.document import create, kinds
 from BalloonWorkbench.core.artwork.files import png_bytes
 from BalloonWorkbench.core.nesting import nest as nesting
 from BalloonWorkbench.core.nesting.remnant import read_remnants
-from BalloonWorkbench.gui.panels.making import nest as nest_panel
 
 
 @pytest.fixture
@@ -138,12 +137,16 @@ def test_layout_on_film(made, tmp_path, stand_in):
     hands.wait_until(lambda: "900 x 450 mm" in hands.find("NestResult").text())
     hands.screenshot("nest")
     kept = tmp_path / "kept.json"
-    stand_in.setattr(nest_panel, "ask_where_to_keep_remnant", lambda _parent, path: str(kept))
+    chosen = str(kept.with_suffix("")), "Remnants (*.json)"  # typed without its ending
+    stand_in.setattr(hands.QtWidgets.QFileDialog, "getSaveFileName", staticmethod(lambda *_: chosen))
     hands.click(hands.find("KeepRemnant"))
     hands.wait_until(kept.is_file)
     assert str(kept) in hands.find("NestMessage").text()
     (rest,) = read_remnants(kept)[:1]
     assert 0.0 < rest.area.area < 0.9 * 0.45
+    hands.click(hands.find("KeepRemnant"))
+    hands.wait_until(lambda: "kept.json is there already" in hands.find("NestMessage").text())
+    kept.unlink()
     hands.find("Balloons").setValue(2)
     hands.click(hands.find("KeepRemnant"))
     hands.wait_until(lambda: "older" in hands.find("NestMessage").text())

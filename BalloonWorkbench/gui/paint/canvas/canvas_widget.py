@@ -12,14 +12,14 @@ from BalloonWorkbench.gui.paint.painting.painted import SIDE, Painting
 from BalloonWorkbench.gui.paint.painting.strokes import LINE
 from BalloonWorkbench.gui.paint.painting.tools import MOVE, TOOLS
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, is_eraser, position
-from BalloonWorkbench.gui.window.zoom_keys import FIT, LARGER, PULL, SMALLER, STEP, wheel_zoom
+from BalloonWorkbench.gui.window.zoom_keys import FIT, LARGER, PULL, SMALLER, STEP, OwnKeys, wheel_zoom
 
 _CLOSE = 2.0  # px on the screen between two points of a stroke
 _TRACING = 0.45  # opacity of the backdrop
 _LETTERS = {"M", "[", "]"} | {tool.key for tool in TOOLS}
 
 
-class Canvas(QtWidgets.QWidget):
+class Canvas(OwnKeys, QtWidgets.QWidget):
     """Shows a painting and what is told about it, and lets the user paint.
 
     `chosen` carries the letter of a tool or setting, `accepted` the number of a remark to be repaired.
@@ -150,21 +150,6 @@ class Canvas(QtWidgets.QWidget):
         self.resized.emit()
 
     # keys
-
-    def event(self, event):
-        # FreeCAD would take these keys for its own shortcuts
-        if event.type() == QtCore.QEvent.ShortcutOverride and self._action(event) is not None:
-            event.accept()
-            return True
-        return super().event(event)
-
-    def keyPressEvent(self, event):
-        action = self._action(event)
-        if action is None:
-            super().keyPressEvent(event)
-        else:
-            action()
-            self.update()
 
     def keyReleaseEvent(self, event):
         if event.key() == PULL and not event.isAutoRepeat():

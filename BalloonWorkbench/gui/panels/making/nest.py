@@ -25,7 +25,7 @@ from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.view3d.fit_view import fit_all
 from BalloonWorkbench.gui.window import macro_recorder
 from BalloonWorkbench.gui.window.borders import undo_step
-from BalloonWorkbench.gui.window.file_dialogs import ask_for_remnant, ask_where_to_keep_remnant
+from BalloonWorkbench.gui.window.file_dialogs import ask_for_remnant, ask_where_to_write
 from BalloonWorkbench.gui.window.sentences import translated
 from BalloonWorkbench.gui.window.user_units import NOTHING, size_text
 
@@ -121,10 +121,12 @@ class NestPanel(ObjectPanel):
 
     def keep_remnant(self) -> None:
         """Write what is left to a file that the user chooses."""
-        path = ask_where_to_keep_remnant(self.form, preferences.export_folder(self.doc) / FILE)
-        if path is None:
-            return
+        name, ending = FILE.split(".")
+        kinds = {ending: translate("Remnants")}
         try:
+            path = ask_where_to_write(self.form, translate("Keep what is left"), self.doc, name, kinds)
+            if path is None:
+                return
             written = film_sheet.keep_remnant(self.obj, path)
         except BalloonError as error:
             self.fail(error)

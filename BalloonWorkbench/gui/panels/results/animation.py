@@ -17,10 +17,11 @@ from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon, number_of, tr
 from BalloonWorkbench.gui.view3d.inflation_player import FRAMES, Player, request_of
 from BalloonWorkbench.gui.window import macro_recorder
 from BalloonWorkbench.gui.window.borders import TaskPanel
-from BalloonWorkbench.gui.window.file_dialogs import ask_for_moving_picture
+from BalloonWorkbench.gui.window.file_dialogs import ask_where_to_write
 from BalloonWorkbench.gui.window.sentences import translated
 from BalloonWorkbench.gui.window.user_units import pressure_text
 
+_FILES = {"gif": "GIF", "mp4": "MP4"}
 _BEAT = 40  # ms between frames
 _PAUSE = 25  # beats at the end, before it begins again
 
@@ -158,12 +159,12 @@ class AnimationPanel(TaskPanel):
         """Ask for a file and write the frames; below stands what came of it."""
         self.play.setChecked(False)
         balloon, strip = self.parts.balloon, self.player.strip
-        folder = preferences.export_folder(balloon.Document)
-        asked = ask_for_moving_picture(self.form, str(folder / f"{name_of(balloon)}.gif"))
-        if asked is None or self.player is None:
-            return
         self.form.setEnabled(False)
         try:
+            title = translate("Save the inflation")
+            asked = ask_where_to_write(self.form, title, balloon.Document, name_of(balloon), _FILES)
+            if asked is None or self.player is None:
+                return
             written = write_shared(self.parts, asked, blown=((strip.rest, strip.frames),))
         except BalloonError as error:
             self.message.setText(translated(str(error)))

@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import FreeCADGui as Gui
 
 from BalloonWorkbench.app.border import status
@@ -21,9 +19,10 @@ from BalloonWorkbench.gui.view3d.film_map import choice_title, choices_of
 from BalloonWorkbench.gui.view3d.legend_row import OFF
 from BalloonWorkbench.gui.window import macro_recorder
 from BalloonWorkbench.gui.window.borders import TaskPanel
+from BalloonWorkbench.gui.window.file_dialogs import ask_where_to_write
 from BalloonWorkbench.gui.window.sentences import translated
 
-_FILES = (("ParaView", "vtu"), ("STL", "stl"), ("NumPy", "npz"))
+_FILES = {"vtu": "ParaView", "stl": "STL", "npz": "NumPy"}
 _STATE = ("ColourMap", "CompareOutlines", "DisplayMode", "ModeWithoutMap")
 
 
@@ -108,21 +107,10 @@ class ColourMapPanel(TaskPanel):
 
 def save_results(balloon) -> str:
     """Ask for a file, write the results of a balloon object; a sentence about it, empty when cancelled."""
-    folder = preferences.export_folder(balloon.Document)
-    kinds = [f"{program} (*.{ending})" for program, ending in _FILES]
-    path, kind = QtWidgets.QFileDialog.getSaveFileName(
-        None,
-        translate("Save results"),
-        str(folder / f"{name_of(balloon)}.{_FILES[0][1]}"),
-        ";;".join(kinds),
-    )
-    if not path:
-        return ""
-    if Path(path).suffix.lower().lstrip(".") not in [ending for _, ending in _FILES]:
-        path += "." + _FILES[max(kinds.index(kind) if kind in kinds else 0, 0)][1]
-        if Path(path).exists():  # the dialog has asked about another name
-            return translate("{} is there already: give another name.").format(Path(path).name)
     try:
+        path = ask_where_to_write(None, translate("Save results"), balloon.Document, name_of(balloon), _FILES)
+        if path is None:
+            return ""
         written = export_results(balloon, path)
     except BalloonError as error:
         return translated(str(error))

@@ -112,7 +112,7 @@ class TargetFile(QtWidgets.QWidget):
         if path:
             self.line.setText(path)
             self._take()
-            self.replace.setChecked(True)  # the dialog has asked
+            self.replace.setChecked(self.path == Path(path))  # the dialog has asked about that name
 
 
 def name_of(obj) -> str:
