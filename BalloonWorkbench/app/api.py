@@ -40,11 +40,11 @@ def _bordered(function: Callable[..., _Result]) -> Callable[..., _Result]:
 
     @wraps(function)
     def call(*positional, **named):
-        given = taken.bind(*positional, **named)  # a call that does not fit is the caller's TypeError
+        bound = taken.bind(*positional, **named)  # a call that does not fit is the caller's TypeError
         try:
-            if made is not None and not isinstance(given.arguments[made], Parts):
-                given.arguments[made] = _parts_with(given.arguments[made])
-            return function(*given.args, **given.kwargs)
+            if made is not None and not isinstance(bound.arguments[made], Parts):
+                bound.arguments[made] = _parts_with(bound.arguments[made])
+            return function(*bound.args, **bound.kwargs)
         except BalloonError:
             raise
         except faults.UNFORESEEN as error:

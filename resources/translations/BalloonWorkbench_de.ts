@@ -7467,6 +7467,10 @@
         <translation>ein Körper hängt zusammen</translation>
     </message>
     <message>
+        <source>a comma, quote or bracket is missing or too much in line {0}</source>
+        <translation>in Zeile {0} fehlt ein Komma, Anführungszeichen oder eine Klammer, oder es ist eines zu viel</translation>
+    </message>
+    <message>
         <source>a coordinate is not a number</source>
         <translation>eine Koordinate ist keine Zahl</translation>
     </message>
@@ -8053,6 +8057,10 @@
     <message>
         <source>number for full power</source>
         <translation>Zahl für volle Leistung</translation>
+    </message>
+    <message>
+        <source>one of its values is of another kind than it must be</source>
+        <translation>einer ihrer Werte ist von anderer Art, als er sein muss</translation>
     </message>
     <message>
         <source>only a PDF has spot colours: give "format": "pdf", or leave them out.</source>
@@ -8713,6 +8721,10 @@
     <message>
         <source>{0} is no file for the web: let the name end in .glb, .html, .png, .gif or .mp4.</source>
         <translation>{0} ist keine Datei fürs Web: Der Name muss auf .glb, .html, .png, .gif oder .mp4 enden.</translation>
+    </message>
+    <message>
+        <source>{0} is no number</source>
+        <translation>{0} ist keine Zahl</translation>
     </message>
     <message>
         <source>{0} is no number: list its values.</source>

@@ -7467,6 +7467,10 @@
         <translation>un cuerpo es de una sola pieza</translation>
     </message>
     <message>
+        <source>a comma, quote or bracket is missing or too much in line {0}</source>
+        <translation>en la línea {0} falta o sobra una coma, una comilla o un paréntesis</translation>
+    </message>
+    <message>
         <source>a coordinate is not a number</source>
         <translation>una coordenada no es un número</translation>
     </message>
@@ -8053,6 +8057,10 @@
     <message>
         <source>number for full power</source>
         <translation>número para la potencia máxima</translation>
+    </message>
+    <message>
+        <source>one of its values is of another kind than it must be</source>
+        <translation>uno de sus valores no es del tipo que debe ser</translation>
     </message>
     <message>
         <source>only a PDF has spot colours: give "format": "pdf", or leave them out.</source>
@@ -8713,6 +8721,10 @@
     <message>
         <source>{0} is no file for the web: let the name end in .glb, .html, .png, .gif or .mp4.</source>
         <translation>{0} no es un archivo para la web: termine el nombre en .glb, .html, .png, .gif o .mp4.</translation>
+    </message>
+    <message>
+        <source>{0} is no number</source>
+        <translation>{0} no es un número</translation>
     </message>
     <message>
         <source>{0} is no number: list its values.</source>

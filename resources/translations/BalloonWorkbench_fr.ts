@@ -7467,6 +7467,10 @@
         <translation>un corps est d'un seul tenant</translation>
     </message>
     <message>
+        <source>a comma, quote or bracket is missing or too much in line {0}</source>
+        <translation>à la ligne {0}, une virgule, un guillemet ou une parenthèse manque ou est de trop</translation>
+    </message>
+    <message>
         <source>a coordinate is not a number</source>
         <translation>une coordonnée n'est pas un nombre</translation>
     </message>
@@ -8053,6 +8057,10 @@
     <message>
         <source>number for full power</source>
         <translation>nombre pour la pleine puissance</translation>
+    </message>
+    <message>
+        <source>one of its values is of another kind than it must be</source>
+        <translation>une de ses valeurs n'est pas du type voulu</translation>
     </message>
     <message>
         <source>only a PDF has spot colours: give "format": "pdf", or leave them out.</source>
@@ -8713,6 +8721,10 @@
     <message>
         <source>{0} is no file for the web: let the name end in .glb, .html, .png, .gif or .mp4.</source>
         <translation>{0} n'est pas un fichier pour le web : terminez le nom par .glb, .html, .png, .gif ou .mp4.</translation>
+    </message>
+    <message>
+        <source>{0} is no number</source>
+        <translation>{0} n'est pas un nombre</translation>
     </message>
     <message>
         <source>{0} is no number: list its values.</source>

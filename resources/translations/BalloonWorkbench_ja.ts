@@ -7467,6 +7467,10 @@
         <translation>立体はひとつながりである</translation>
     </message>
     <message>
+        <source>a comma, quote or bracket is missing or too much in line {0}</source>
+        <translation>{0} 行目でコンマ、引用符、括弧のどれかが足りないか、多すぎます</translation>
+    </message>
+    <message>
         <source>a coordinate is not a number</source>
         <translation>数ではない座標がある</translation>
     </message>
@@ -8053,6 +8057,10 @@
     <message>
         <source>number for full power</source>
         <translation>最大出力を表す数</translation>
+    </message>
+    <message>
+        <source>one of its values is of another kind than it must be</source>
+        <translation>値の一つの種類が違います</translation>
     </message>
     <message>
         <source>only a PDF has spot colours: give "format": "pdf", or leave them out.</source>
@@ -8713,6 +8721,10 @@
     <message>
         <source>{0} is no file for the web: let the name end in .glb, .html, .png, .gif or .mp4.</source>
         <translation>{0} はウェブ用のファイルではありません。名前の終わりを .glb、.html、.png、.gif、.mp4 のどれかにしてください。</translation>
+    </message>
+    <message>
+        <source>{0} is no number</source>
+        <translation>{0} は数ではありません</translation>
     </message>
     <message>
         <source>{0} is no number: list its values.</source>

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.files.data_file import RESOURCES, UNUSABLE, read_data
+from BalloonWorkbench.core.files.data_file import RESOURCES, UNUSABLE, read_data, reason_of
 from BalloonWorkbench.core.film.film import ASSUMED, BY_USER, JOININGS, LOOKS, Film, Look
 from BalloonWorkbench.core.film.start_values import NOT_STATED, StartValues, read_start_values
 from BalloonWorkbench.core.options.film import DEFAULT_FILM  # noqa: F401 - it is the name of one of them
@@ -116,7 +116,7 @@ def read_film(path: Path) -> Film:
     except KeyError as error:
         raise InputError(f"The film file {path.name} lacks {error}: add it.") from error
     except (*UNUSABLE, InputError) as error:
-        raise InputError(f"The film file {path.name} is of no use: {error}") from error
+        raise InputError(f"The film file {path.name} is of no use: {reason_of(error)}") from error
     if described.name != path.stem:
         raise InputError(
             f'The film file {path.name} calls itself "{described.name}": give both the same name.'
@@ -140,7 +140,7 @@ def _film_of(data: dict[str, Any]) -> Film:
         max_stress=_within(float(data["max_stress_Pa"]), 1e4, 1e11, "strength", "Pa", "100000000"),
         title=str(data["title"]),
         look=_look(**data["look"]),
-        **_weld(**data.get("weld_rigidity", {"value": 1.0, "source": ASSUMED})),
+        **_weld(data.get("weld_rigidity", {"value": 1.0, "source": ASSUMED})),
         sealing_side=_sealing_side(data.get("sealing_side")),
         grain=_truth(data, "grain", False),
         joining=_joining(data.get("joining", "")),
@@ -167,7 +167,8 @@ def _look(kind: str, colour: str, opacity: float) -> Look:
     return Look(kind, colour, _within(opacity, 0.05, 1.0, "opacity", "", "1"))
 
 
-def _weld(value: float, source: str) -> dict[str, Any]:
+def _weld(data: dict[str, Any]) -> dict[str, Any]:
+    value, source = data["value"], data["source"]
     if not (isinstance(source, str) and source.strip()):
         raise InputError('the weld rigidity lacks its source: write where it is from, or "assumed".')
     return {"weld_rigidity": _weld_rigidity(float(value)), "weld_rigidity_source": source}

@@ -16,7 +16,7 @@ from typing import Any
 
 from BalloonWorkbench.core.arcs.fit_arcs import TOLERANCE
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.files.data_file import RESOURCES, UNUSABLE, data_files, read_data
+from BalloonWorkbench.core.files.data_file import RESOURCES, UNUSABLE, data_files, read_data, reason_of
 from BalloonWorkbench.core.machines.layers import Line, check_laser, layers_of, number_in, one_of
 from BalloonWorkbench.core.machines.marks.style import CROSSES, Marks, read_marks
 from BalloonWorkbench.core.machines.tool import (
@@ -236,7 +236,7 @@ def read_machine(path: Path) -> Machine:
     except KeyError as error:
         raise InputError(f"The machine file {path.name} lacks {error}: add it.") from error
     except (*UNUSABLE, InputError) as error:
-        raise InputError(f"The machine file {path.name} is of no use: {error}") from error
+        raise InputError(f"The machine file {path.name} is of no use: {reason_of(error)}") from error
     if described.name != path.stem:
         raise InputError(
             f'The machine file {path.name} calls itself "{described.name}": give both the same name.'

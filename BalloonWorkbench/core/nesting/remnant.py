@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.files.data_file import UNUSABLE, read_data
+from BalloonWorkbench.core.files.data_file import UNUSABLE, read_data, reason_of
 from BalloonWorkbench.core.geometry.areas import parts
 from BalloonWorkbench.core.geometry.polyline import extent
 from BalloonWorkbench.core.packages import shapely
@@ -75,7 +75,7 @@ def read_remnants(path: Path) -> list[Remnant]:
     except KeyError as error:
         raise InputError(f"The remnant {path.name} lacks {error}: add it.") from error
     except (*UNUSABLE, InputError) as error:
-        raise InputError(f"The remnant {path.name} is of no use: {error}") from error
+        raise InputError(f"The remnant {path.name} is of no use: {reason_of(error)}") from error
 
 
 def _remnants(data: Mapping[str, Any]) -> list[Remnant]:

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.files.data_file import UNUSABLE, read_data
+from BalloonWorkbench.core.files.data_file import UNUSABLE, read_data, reason_of
 from BalloonWorkbench.core.machines.machine import machine_of
 from BalloonWorkbench.core.machines.own.keep import copied
 from BalloonWorkbench.core.machines.tool import read_tool, value_text
@@ -31,7 +31,7 @@ def kept_machine(card: Path, field: str, name: str) -> dict[str, Any]:
     try:
         machine_of(made)
     except (*UNUSABLE, InputError) as error:
-        raise InputError(f"The field {field} of this card makes no machine: {error}") from None
+        raise InputError(f"The field {field} of this card makes no machine: {reason_of(error)}") from None
     return made
 
 
@@ -45,7 +45,7 @@ def fields_of(card: Path) -> dict[str, str]:
         try:
             tool = read_tool(data)
         except (*UNUSABLE, InputError) as error:
-            fields[str(name)] = str(error)
+            fields[str(name)] = str(reason_of(error))
             continue
         options = (option.name for option in options_of(ToolOptions) if option.kind is not Kind.CHOICE)
         known = [value_text(tool, option) for option in options]

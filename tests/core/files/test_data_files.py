@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
@@ -21,6 +22,7 @@ from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film import filling, library, start_values
 from BalloonWorkbench.core.machines import machine
 from BalloonWorkbench.core.making import trade_figures
+from BalloonWorkbench.core.nesting.remnant import read_remnants
 from BalloonWorkbench.core.pattern.intake import kinds
 
 ROOT = Path(__file__).parents[3]
@@ -69,6 +71,7 @@ READERS: dict[str, tuple[Path, Callable[[Path], object]]] = {
     "machine": (RESOURCES / "machines" / "hpgl-plotter.json", machine.read_machine),
     "film": (RESOURCES / "films" / "mylar.json", library.read_film),
     "intake": (RESOURCES / "intakes" / "film-valve.json", kinds.read_kind),
+    "remnant": (ROOT / "tests" / "resources" / "remnant.json", read_remnants),
     "making": (
         RESOURCES / "making.json",
         single(trade_figures, "FILE", trade_figures.making.__wrapped__),
@@ -81,6 +84,13 @@ READERS: dict[str, tuple[Path, Callable[[Path], object]]] = {
 }
 
 
+#: What Python says to programmers.
+PYTHON = re.compile(
+    r"could not convert|invalid literal|unhashable|indices|NoneType|subscript|attribute|object is not|"
+    r"char \d|argument|codec|unpack|must be real|update sequence|not supported|inhomogeneous|operand"
+)
+
+
 def tried(path: Path, read: Callable[[Path], object]) -> None:
     """Read a file: an InputError of one line that names it, or nothing."""
     try:
@@ -88,6 +98,7 @@ def tried(path: Path, read: Callable[[Path], object]) -> None:
     except InputError as error:
         assert path.name in str(error)
         assert "\n" not in str(error)
+        assert "Install it anew" in str(error) or not PYTHON.search(str(error))
 
 
 @pytest.mark.parametrize("kind", READERS)

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from BalloonWorkbench.core.errors import ExportError, InputError
-from BalloonWorkbench.core.files.data_file import UNUSABLE, data_files, read_data
+from BalloonWorkbench.core.files.data_file import UNUSABLE, data_files, read_data, reason_of
 from BalloonWorkbench.core.files.write import safe_name, write_files
 from BalloonWorkbench.core.machines.machine import FOLDER, machine_of, machines, own_folder
 
@@ -82,7 +82,7 @@ def machine_bytes(data: Mapping[str, Any]) -> bytes:
     except KeyError as error:
         raise InputError(f"{data.get('title')}: its file lacks {error}: add it.") from error
     except (*UNUSABLE, InputError) as error:
-        raise InputError(f"{data.get('title')}: {error}") from error
+        raise InputError(f"{data.get('title')}: {reason_of(error)}") from error
     return (json.dumps(data, indent=2, ensure_ascii=False) + "\n").encode(errors="replace")
 
 

@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.files.data_file import RESOURCES, UNUSABLE, read_data
+from BalloonWorkbench.core.files.data_file import RESOURCES, UNUSABLE, read_data, reason_of
 from BalloonWorkbench.core.geometry.vectors import direction, rotation
 from BalloonWorkbench.core.options.pattern import STRAW
 from BalloonWorkbench.core.pattern.pattern import Contour, Role
@@ -145,7 +145,7 @@ def read_kind(path: Path) -> IntakeKind:
     except KeyError as error:
         raise InputError(f"The intake file {path.name} lacks {error}: add it.") from error
     except (*UNUSABLE, InputError) as error:
-        raise InputError(f"The intake file {path.name} is of no use: {error}") from error
+        raise InputError(f"The intake file {path.name} is of no use: {reason_of(error)}") from error
     if kind.name != path.stem:
         raise InputError(f'The intake file {path.name} calls itself "{kind.name}": give both the same name.')
     return kind
