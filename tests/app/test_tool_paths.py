@@ -4,6 +4,7 @@
 import importlib
 import json
 
+import FreeCAD as App
 import numpy as np
 import pytest
 import sketches
@@ -84,6 +85,26 @@ def test_freecads_post_processor_writes_the_same_moves(doc, own, tmp_path, name)
         assert one.feeds == pytest.approx(other.feeds, rel=1e-3)
         assert (one.power, one.height, one.dwell) == pytest.approx((other.power, other.height, other.dwell))
     assert [way for way, _ in read.travel] == pytest.approx([way for way, _ in ours.travel], abs=0.01)
+
+
+def test_each_film_has_a_job_in_the_document_of_its_pattern(doc, own):
+    """Foil and valve, while another document is the active one; twice, and recomputed."""
+    knife = BalloonWorkbench.from_sketch(
+        doc, sketches.ring(doc), mesh_size=20, mode="Inflate as drawn", film="pe",
+        intake_kind="Self-sealing film valve",
+    )  # fmt: skip
+    other = App.newDocument("Other")
+    for _ in range(2):
+        jobs = BalloonWorkbench.tool_paths(knife.pattern, "beam")
+        assert [len(job.Operations.Group) for job in jobs] == [1, 1]
+        assert jobs[0].Stock.Shape.BoundBox.XLength > jobs[1].Stock.Shape.BoundBox.XLength > 40.0
+    assert App.ActiveDocument == other
+    assert not other.Objects
+    App.closeDocument(other.Name)
+    for obj in doc.Objects:
+        obj.touch()
+    doc.recompute()
+    assert [obj.Label for obj in doc.Objects if not obj.isValid()] == []
 
 
 def test_what_cannot_be_made_leaves_no_object(doc, own):

@@ -72,7 +72,10 @@ def add_jobs(document, path: Path) -> list:
     """Bring the jobs of a file into a document; returns them."""
     before = {obj.Name for obj in document.Objects}
     document.mergeProject(str(path))
-    return [obj for obj in document.Objects if obj.Name not in before and hasattr(obj, "Operations")]
+    jobs = [obj for obj in document.Objects if obj.Name not in before and hasattr(obj, "Operations")]
+    for job in jobs:
+        job.Proxy.obj = job  # its operations ask for it; a job that is merged is not told
+    return jobs
 
 
 def _job(document, label: str, drawing, made_for, steps) -> None:
