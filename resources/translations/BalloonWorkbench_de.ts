@@ -8735,6 +8735,10 @@
         <translation>{0} ist keine Zahl: die Werte in die Tabelle schreiben.</translation>
     </message>
     <message>
+        <source>{0} is none of the names that are known</source>
+        <translation>{0} ist keiner der bekannten Namen</translation>
+    </message>
+    <message>
         <source>{0} is not a coordinate</source>
         <translation>{0} ist keine Koordinate</translation>
     </message>

@@ -8735,6 +8735,10 @@
         <translation>{0} no es un número: escriba sus valores en la tabla.</translation>
     </message>
     <message>
+        <source>{0} is none of the names that are known</source>
+        <translation>{0} no es ninguno de los nombres conocidos</translation>
+    </message>
+    <message>
         <source>{0} is not a coordinate</source>
         <translation>{0} no es una coordenada</translation>
     </message>

@@ -4352,7 +4352,7 @@
     </message>
     <message>
         <source>Pressure rises with height</source>
-        <translation>La pression croît avec la hauteur</translation>
+        <translation>La pression croît en hauteur</translation>
     </message>
     <message>
         <source>Pressure with the margin left</source>
@@ -7532,7 +7532,7 @@
     </message>
     <message>
         <source>about {}</source>
-        <translation>environ {}</translation>
+        <translation>env. {}</translation>
     </message>
     <message>
         <source>about {} x {}, {} thick, {}</source>
@@ -8733,6 +8733,10 @@
     <message>
         <source>{0} is no number: write its values into the table.</source>
         <translation>{0} n'est pas un nombre : écrivez ses valeurs dans le tableau.</translation>
+    </message>
+    <message>
+        <source>{0} is none of the names that are known</source>
+        <translation>{0} n'est aucun des noms connus</translation>
     </message>
     <message>
         <source>{0} is not a coordinate</source>

@@ -8735,6 +8735,10 @@
         <translation>{0} は数ではありません。値を表に書いてください。</translation>
     </message>
     <message>
+        <source>{0} is none of the names that are known</source>
+        <translation>{0} は知られた名前ではありません</translation>
+    </message>
+    <message>
         <source>{0} is not a coordinate</source>
         <translation>{0} は座標ではない</translation>
     </message>

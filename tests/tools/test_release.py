@@ -30,6 +30,7 @@ COMPILED_WITH = {"Eigen": "3.4.0", "LLVM": "22.1.8", "mingw-w64": "15.0.0", "Zig
 
 #: What FreeCAD brings under these names.
 HOSTS = {
+    "draftutils",
     "FreeCAD",
     "FreeCADGui",
     "Part",

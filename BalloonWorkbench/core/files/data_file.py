@@ -20,6 +20,8 @@ _LARGEST = 1_000_000  # bytes
 _NO_NUMBER = re.compile(
     r"(?:could not convert string to float|invalid literal for int\(\) with base 10): (.*)"
 )
+#: And of a name that is none of an enumeration.
+_NO_NAME = re.compile(r"(.*) is not a valid \w+")
 #: What reading a file of other content raises; KeyError is what it lacks.
 UNUSABLE = (OSError, ValueError, TypeError, AttributeError, ArithmeticError, LookupError)
 
@@ -39,6 +41,9 @@ def reason_of(error: Exception) -> Exception:
     number = _NO_NUMBER.match(str(error))
     if number:
         return _NoData(f"{number[1]} is no number")
+    name = _NO_NAME.match(str(error))
+    if name:
+        return _NoData(f"{name[1]} is none of the names that are known")
     return _NoData("one of its values is of another kind than it must be")
 
 

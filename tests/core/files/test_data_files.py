@@ -87,7 +87,8 @@ READERS: dict[str, tuple[Path, Callable[[Path], object]]] = {
 #: What Python says to programmers.
 PYTHON = re.compile(
     r"could not convert|invalid literal|unhashable|indices|NoneType|subscript|attribute|object is not|"
-    r"char \d|argument|codec|unpack|must be real|update sequence|not supported|inhomogeneous|operand"
+    r"char \d|argument|codec|unpack|must be real|update sequence|not supported|inhomogeneous|operand|"
+    r"not a valid"
 )
 
 

@@ -32,9 +32,8 @@ class FilmBox(PropertyPage):
         banded = {item.name for item in properties_of(BandOptions)}
         for item in PROPERTIES:
             if item.label and item.page != "Solver" and item.name not in banded:
-                self.form.add(item)
+                self.form.add(item, describe=_describe if item.name == "Film" else None)
             if item.name == "Film":
-                _describe(self.fields.widget(item.name))
                 self.form.addRow(QtWidgets.QLabel(translate("Material")))
                 self.form.addRow(self.card)
                 self.form.addRow(self.welding)

@@ -229,9 +229,13 @@ class PropertyForm(NarrowForm):
         self.fields = fields
         self._rows: dict[str, tuple] = {}
 
-    def add(self, item: Property, free: Callable[[], float] | None = None) -> None:
-        """The row of a property; free: see `Fields.quantity`."""
+    def add(
+        self, item: Property, free: Callable[[], float] | None = None, describe: Callable | None = None
+    ) -> None:
+        """The row of a property; free: see `Fields.quantity`; describe gives its field other texts."""
         field = self.fields.of(item, free)
+        if describe is not None:
+            describe(field)
         if item.type == "Bool":
             self._rows[item.name] = (field,)
             self.addRow(field)

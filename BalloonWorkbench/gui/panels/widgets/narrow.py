@@ -6,6 +6,7 @@ from __future__ import annotations
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, painter_on
 
 _ROOM = 180  # px, for a name and its field in a panel as FreeCAD opens it
+_ARROW = 24  # px, and the frame, beside an entry
 _BESIDE = 4  # px, that themes leave free at the sides of an entry
 
 
@@ -27,7 +28,7 @@ class NarrowForm(QtWidgets.QFormLayout):
         if len(row) == 2 and isinstance(row[1], QtWidgets.QComboBox):
             name, field = row
             label = QtWidgets.QLabel(name) if isinstance(name, str) else name
-            if label.sizeHint().width() + field.sizeHint().width() + self.horizontalSpacing() > _ROOM:
+            if label.sizeHint().width() + _whole_width(field) + self.horizontalSpacing() > _ROOM:
                 self._append(label)
                 self._append(field)
                 return
@@ -53,6 +54,13 @@ class NarrowForm(QtWidgets.QFormLayout):
     def _append(self, *row) -> None:
         self._all.append(row)
         super().addRow(*row)
+
+
+def _whole_width(choice) -> int:
+    """What the longest entry of a choice needs, in px, also where its end may be left out."""
+    measure = choice.fontMetrics()
+    texts = [measure.boundingRect(choice.itemText(number)).width() for number in range(choice.count())]
+    return max([choice.sizeHint().width(), *(width + _ARROW for width in texts)])
 
 
 class ElidedCombo(QtWidgets.QComboBox):
