@@ -78,18 +78,17 @@ class FilmSheetProxy(DocumentProxy):
         from BalloonWorkbench.app.border import hooks
 
         parted, stock = _by_film(obj), _stock(obj)
-        pieces = _chosen(obj, parted)
-        remnants = _remnants(obj)
-        label = _label(pieces, stock, remnants)
+        films, remnants = _chosen(obj, parted), _remnants(obj)
+        if remnants and len(films) > 1:
+            raise InputError("What is left of other film is of one film: choose patterns of one film for it.")
+        label = _label(films, stock, remnants)
         if label != obj.LaidOutFor:
-            from BalloonWorkbench.core.nesting.nest import nest
-
             layouts, remarks = hooks.run_blocking(
-                f"Laying out {obj.Label}", lambda progress: nest(pieces, stock, progress, remnants)
+                f"Laying out {obj.Label}", lambda progress: _laid_out(films, stock, progress, remnants)
             )
             _keep(output, layouts, remnants)
             output.Warnings, output.LaidOutFor = [*remarks, *_left_out(obj, parted)], label
-        show(output, pieces, stock)
+        show(output, _together(films), stock)
 
     def cut_pattern(self, obj):
         """All pieces of the sheet that is shown, as one pattern."""
@@ -133,10 +132,10 @@ def keep_remnant(obj, target) -> Path:
 
 def _up_to_date(obj):
     """Pieces and film of what is laid out. InputError where it is older than its patterns."""
-    pieces, stock = _chosen(obj, _by_film(obj)), _stock(obj)
-    if _label(pieces, stock, _remnants(obj)) != obj.LaidOutFor:
+    films, stock = _chosen(obj, _by_film(obj)), _stock(obj)
+    if _label(films, stock, _remnants(obj)) != obj.LaidOutFor:
         raise InputError(f"The layout of {obj.Label} is older than its patterns: recompute it.")
-    return pieces, stock
+    return _together(films), stock
 
 
 def show(obj, pieces, stock) -> None:
@@ -165,12 +164,37 @@ def show(obj, pieces, stock) -> None:
     obj.PatternWidth, obj.PatternHeight = (to_mm(length) for length in pattern.size)
 
 
-def _chosen(obj, parted) -> list:
-    """The pieces that are laid out, of those by film. InputError where the patterns have none of it."""
-    pieces = parted.get(FILMS[obj.Film], [])
-    if not pieces:
+def _chosen(obj, parted) -> dict:
+    """The pieces that are laid out, by the title of their film. InputError where the patterns have none."""
+    films = parted.get(FILMS[obj.Film], {})
+    if not films:
         raise InputError(f'No pattern here has pieces of "{obj.Film}": choose another film.')
-    return pieces
+    return films
+
+
+def _together(films) -> list:
+    """The pieces of all films, one after the other, as they are numbered."""
+    return [piece for pieces in films.values() for piece in pieces]
+
+
+def _laid_out(films, stock, progress, remnants) -> tuple[list, list[str]]:
+    """Layouts of one film after the other, never two films on one sheet, and remarks."""
+    from dataclasses import replace
+
+    from BalloonWorkbench.core.nesting.nest import nest
+
+    layouts, remarks, number = [], [], 0
+    for title, pieces in films.items():
+        laid, more = nest(pieces, stock, progress, remnants)
+        for layout in laid:
+            places = [replace(place, piece=place.piece + number) for place in layout.places]
+            layouts.append(replace(layout, places=tuple(places)))
+        number += len(pieces)
+        remarks += [remark for remark in more if remark not in remarks]
+        if len(films) > 1:
+            sheets = [str(len(layouts) - count) for count in reversed(range(len(laid)))]
+            remarks.append(f"Of {title}: sheet {', '.join(sheets)}.")
+    return layouts, remarks
 
 
 def _left_out(obj, parted) -> list[str]:
@@ -181,27 +205,49 @@ def _left_out(obj, parted) -> list[str]:
 
 
 def _by_film(obj) -> dict:
-    """Panels, and the pieces of intakes, by the name of their film in the core."""
+    """Panels, and the pieces of intakes: by the name of their film in the core, then by the title of the
+    balloon's film. Valves are of one film, whatever the balloon is of."""
+    from BalloonWorkbench.app.properties import film
+    from BalloonWorkbench.core.products import by_stock
+
+    if obj.Balloons < 1:
+        raise InputError(f"{obj.Balloons} balloons cannot be laid out: give 1 or more.")
+    parted, titles = {}, {}
+    for each in obj.Patterns:
+        used = film.read(each.Balloon)
+        title = _title(used, titles)
+        for stock, pieces in by_stock(_pieces(each, obj.Balloons, used.lies)).items():
+            if pieces:
+                parted.setdefault(stock, {}).setdefault("" if stock else title, []).extend(pieces)
+    return parted
+
+
+def _title(used, titles: dict) -> str:
+    """What a film is called among those in titles, which gets it; its grain and weld make no other."""
+    from dataclasses import replace
+
+    roll = replace(used, grain_angle=0.0, seal_width=0.0, weld_rigidity=1.0, weld_rigidity_source="")
+    if roll not in titles:
+        same = sum(each.title == roll.title for each in titles)
+        titles[roll] = f"{roll.title} ({same + 1})" if same else roll.title
+    return titles[roll]
+
+
+def _pieces(pattern_obj, balloons: int, grain) -> list:
+    """All that is cut for so many balloons of a pattern."""
     from dataclasses import replace
 
     from BalloonWorkbench.app import pattern
     from BalloonWorkbench.app.engine.bag_result import has_many_panels
-    from BalloonWorkbench.app.properties import film
     from BalloonWorkbench.core.making.bag_numbers import bag_pieces
     from BalloonWorkbench.core.pattern.make import sheet_of
-    from BalloonWorkbench.core.products import by_stock, pieces_of
+    from BalloonWorkbench.core.products import pieces_of
 
-    if obj.Balloons < 1:
-        raise InputError(f"{obj.Balloons} balloons cannot be laid out: give 1 or more.")
-    pieces = []
-    for each in obj.Patterns:
-        if has_many_panels(each.Balloon):
-            pieces += bag_pieces(pattern.bag_patterns(each), obj.Balloons, film.read(each.Balloon).lies)
-            continue
-        panel = pattern.build(each)
-        whole = sheet_of(panel, replace(pattern.values(each), mirror=True, copies=1))
-        pieces += pieces_of(panel, whole, obj.Balloons, film.read(each.Balloon).lies)
-    return by_stock(pieces)
+    if has_many_panels(pattern_obj.Balloon):
+        return bag_pieces(pattern.bag_patterns(pattern_obj), balloons, grain)
+    panel = pattern.build(pattern_obj)
+    whole = sheet_of(panel, replace(pattern.values(pattern_obj), mirror=True, copies=1))
+    return pieces_of(panel, whole, balloons, grain)
 
 
 def _stock(obj):
@@ -221,12 +267,14 @@ def _remnants(obj) -> list:
     return remnants
 
 
-def _label(pieces, stock, remnants) -> str:
+def _label(films, stock, remnants) -> str:
     """The same for the same layout: pieces and film without their last digits."""
     import numpy as np
 
     digest = hashlib.sha256()
-    for piece in pieces:
+    if len(films) > 1:
+        digest.update(f"{[(title, len(pieces)) for title, pieces in films.items()]}".encode())
+    for piece in _together(films):
         grain = "any" if piece.grain is None else f"{piece.grain:.6g}"
         digest.update(f"{piece.count} {piece.backs} {grain}".encode())
         for contour in piece.pattern.contours:

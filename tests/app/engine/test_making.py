@@ -326,6 +326,44 @@ def test_the_valve_is_on_another_film(parts, rows, tmp_path):
     assert not any("Valve film" in text for text in foil.Warnings)
 
 
+def test_balloons_of_foil_and_of_paper_never_share_a_sheet(doc, rows, tmp_path):
+    """One job of several films: each has sheets of its own, one after the other; how the film lies and how
+    wide its weld is make no other film."""
+    made = [
+        create.balloon_from_sketch(doc, sketches.rectangle(doc, 120, 80), mesh_size=12, correct=False)
+        for _ in range(4)
+    ]
+    foil, paper, turned, thick = (each.balloon for each in made)
+    paper.Film = "kraft-paper"
+    foil.Film = turned.Film = "bopp-foil"
+    turned.GrainAngle = 90
+    thick.Film = "Custom"
+    thick.Thickness = 2.0 * foil.Thickness.Value
+    doc.recompute()
+    sheet = film_sheet.make(doc, [each.pattern for each in made])
+    sheet.FilmWidth, sheet.FilmLength = 500, 500
+    doc.recompute()
+    assert sheet.Status == status.READY
+    assert sheet.Sheets == 3
+    pieces = []
+    for sheet.Shown in (1, 2, 3):
+        doc.recompute()
+        pieces.append(sheet.Pieces)
+    assert pieces == [4, 2, 2]
+    told = [text for text in sheet.Warnings if text.startswith("Of ")]
+    assert [text.split(": ")[-1] for text in told] == ["sheet 1.", "sheet 2.", "sheet 3."]
+    assert "paper" in told[1].lower()
+    before = sheet.LaidOutFor
+    paper.Film = "tracing-paper"
+    doc.recompute()
+    assert sheet.LaidOutFor != before
+    left = tmp_path / "remnant.json"
+    film_sheet.keep_remnant(sheet, left)
+    sheet.Remnant = str(left)
+    doc.recompute()
+    assert "one film" in sheet.Status
+
+
 def test_a_layout_of_an_older_release_is_not_cut(parts, rows, tmp_path):
     """Strips once lay among the panels: such a layout is made anew before it is written."""
     doc = parts.balloon.Document
