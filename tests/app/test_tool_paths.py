@@ -16,13 +16,8 @@ from BalloonWorkbench.app.engine.export import export_for
 from BalloonWorkbench.core.errors import ExportError
 from BalloonWorkbench.core.machines.machine import FOLDER
 
-#: Where FreeCAD 0.20, 1.0 and 1.1 have it.
-POSTS = (
-    "grbl_post",
-    "PathScripts.post.grbl_post",
-    "Path.Post.scripts.grbl_post",
-    "Path.Post.scripts.grbl_legacy_post",
-)
+#: Where FreeCAD 0.20, 1.0 and 1.1 have them.
+PLACES = ("", "PathScripts.post.", "Path.Post.scripts.")
 
 
 @pytest.fixture
@@ -39,22 +34,27 @@ def own(tmp_path, monkeypatch):
         layers = {"SEAL": {}} if name == "tip" else data["layers"]
         own = {**data, "name": name, "tool": tool, "layers": layers, "bed_mm": None}
         (folder / f"{name}.json").write_text(json.dumps(own))
+    turned = json.loads((FOLDER / "gcode-linuxcnc.json").read_text(encoding="utf-8"))
+    wheel = {"kind": "hot-wheel", "feed_mm_min": 240, "depth_mm": 0.2, "turning_axis": "C"}
+    turned |= {"name": "wheel", "tool": wheel, "layers": {"SEAL": {}}, "bed_mm": None}
+    (folder / "wheel.json").write_text(json.dumps(turned))
     monkeypatch.setenv("BALLOON_MACHINES", str(folder))
 
 
-def post_of():
+def post_of(controller):
     import Path  # noqa: F401  # which is where the posts of 1.0 are
 
-    for name in POSTS:
-        try:
-            return importlib.import_module(name)
-        except ImportError:
-            continue
-    pytest.fail("this FreeCAD has no post processor for GRBL")
+    for place in PLACES:
+        for name in (f"{controller}_post", f"{controller}_legacy_post"):
+            try:
+                return importlib.import_module(place + name)
+            except ImportError:
+                continue
+    pytest.fail(f"this FreeCAD has no post processor for {controller}")
 
 
-@pytest.mark.parametrize("name", ["beam", "tip"])
-def test_freecads_post_processor_writes_the_same_moves(doc, own, tmp_path, name):
+@pytest.mark.parametrize(("name", "controller"), [("beam", "grbl"), ("tip", "grbl"), ("wheel", "linuxcnc")])
+def test_freecads_post_processor_writes_the_same_moves(doc, own, tmp_path, name, controller):
     made = create.balloon_from_sketch(doc, sketches.ring(doc), mesh_size=20, correct=False)
     before = {obj.Name for obj in doc.Objects}
     (job,) = BalloonWorkbench.tool_paths(made.pattern, name)
@@ -70,19 +70,24 @@ def test_freecads_post_processor_writes_the_same_moves(doc, own, tmp_path, name)
         )
     film, lines = job.Stock.Shape.BoundBox, paths.Path.BoundBox
     assert film.ZMax == pytest.approx(0.0, abs=1e-6)
-    assert film.XMin <= lines.XMin < lines.XMax <= film.XMax
-    assert film.YMin <= lines.YMin < lines.YMax <= film.YMax
+    if name != "wheel":  # FreeCAD takes its axis for one that turns the work
+        assert job.Description == ""
+        assert film.XMin <= lines.XMin < lines.XMax <= film.XMax
+        assert film.YMin <= lines.YMin < lines.YMax <= film.YMax
+    else:
+        assert "turns the work" in job.Description
     started = [each for each in job.Tools.Group[0].Path.Commands if each.Name in ("M3", "M4")]
     assert not started, "no beam is on before the moves"
     written = tmp_path / "post.gcode"
-    post_of().export([*job.Tools.Group, paths], str(written), "--no-show-editor --no-header")
-    ours = Controller("grbl", name == "beam").read(export_for(made.pattern, name, tmp_path).read_bytes())
-    read = Controller("grbl", name == "beam").read(written.read_bytes())
+    post_of(controller).export([*job.Tools.Group, paths], str(written), "--no-show-editor --no-header")
+    ours = Controller(controller, name == "beam").read(export_for(made.pattern, name, tmp_path).read_bytes())
+    read = Controller(controller, name == "beam").read(written.read_bytes())
     assert len(read.strokes) == len(ours.strokes) > 0
     for one, other in zip(read.strokes, ours.strokes, strict=True):
         assert one.line.shape == other.line.shape
         assert np.abs(one.line - other.line).max() < 0.01
         assert one.feeds == pytest.approx(other.feeds, rel=1e-3)
+        assert one.angles == pytest.approx(other.angles, abs=0.01)
         assert (one.power, one.height, one.dwell) == pytest.approx((other.power, other.height, other.dwell))
     assert [way for way, _ in read.travel] == pytest.approx([way for way, _ in ours.travel], abs=0.01)
 

@@ -30,12 +30,12 @@ WHEEL = replace(HOT, tool="hot-wheel")
 _WORD = re.compile(r"([A-Z])([+-]?(?:\d+\.?\d*|\.\d+))")
 _SETTING = {
     "grbl": {"G17", "G90", "G94", "G91.1", "G40", "G49", "G54"},
-    "linuxcnc": {"G17", "G90", "G94", "G91.1", "G40", "G49", "G54", "G64"},
+    "linuxcnc": {"G17", "G90", "G94", "G91.1", "G40", "G49", "G54", "G43", "G64", "G80"},
     "marlin": {"G90"},
 }
 _SWITCHES = {
     "grbl": {"M0", "M2", "M3", "M4", "M5"},
-    "linuxcnc": {"M0", "M2", "M3", "M5"},
+    "linuxcnc": {"M0", "M2", "M3", "M5", "M6"},
     "marlin": {"M3", "M5", "M104", "M109"},
 }
 _UNITS = {"G20": 25.4, "G21": 1.0}
@@ -44,9 +44,11 @@ _CHORD = 5e-4
 
 @dataclass
 class Stroke:
-    """A line along which the tool is at work: points mm with all of an arc's, feeds mm/min between them."""
+    """A line along which the tool is at work: points mm with all of an arc's, feeds mm/min between them, and
+    how an axis has turned the tool at each point, degrees."""
 
     points: list[np.ndarray]
+    angles: list[float] = field(default_factory=list)
     feeds: list[float] = field(default_factory=list)
     power: float | None = None
     height: float | None = None
@@ -80,6 +82,7 @@ class Controller:
         self.feed, self.on, self.spindle = None, False, 0.0
         self.run, self.dwell = Run(), 0.0
         self.ended, self.stroke = False, None
+        self.angle = 0.0
 
     def read(self, content: bytes) -> Run:
         for row in content.decode("ascii").splitlines():
@@ -97,7 +100,7 @@ class Controller:
     def _row(self, text: str) -> None:
         words = _WORD.findall(text)
         assert "".join(letter + number for letter, number in words) == text, text
-        codes = [letter + number for letter, number in words if letter in "GM"]
+        codes = [f"{letter}{number.removeprefix('0') or '0'}" for letter, number in words if letter in "GM"]
         values = {letter: float(number) for letter, number in words if letter not in "GM"}
         assert len(values) + len(codes) == len(words), text
         for code in codes:
@@ -109,8 +112,12 @@ class Controller:
         if "F" in values:
             assert values["F"] > 0.0, text
             self.feed = values["F"] * self.unit
+        axes = set(values) & set("ABC")
+        assert self.kind != "grbl" or not axes, text
         if set(values) & set("XYZIJ"):
             self._move(values)
+        elif axes:
+            self._turn(values)
 
     def _setting(self, code: str, values: dict[str, float]) -> None:
         if code in _UNITS:
@@ -126,12 +133,18 @@ class Controller:
             self.on, self.stroke = False, None
         elif code == "M2":
             self.ended = True
-        elif code not in ("G0", "G1", "G2", "G3", "M0"):
+        elif code not in ("G0", "G1", "G2", "G3", "M0", "M6"):
             assert code in _SETTING[self.kind], code
         if code == "G90":
             self.absolute = True
         if code.startswith("M"):
             assert code in _SWITCHES[self.kind], code
+
+    def _turn(self, values: dict[str, float]) -> None:
+        """The tool turns where it is: at work by small angles only."""
+        (self.angle,), before = (values[axis] for axis in values if axis in "ABC"), self.angle
+        assert self.motion == ("G1" if self.down else "G0")
+        assert not self.down or abs(self.angle - before) <= 20.0, "it scuffs the film"
 
     def _move(self, values: dict[str, float]) -> None:
         assert self.absolute and self.unit, "units and coordinates are not stated"
@@ -156,9 +169,15 @@ class Controller:
             assert self.feed, "no feed"
             assert self.down, "a line without the tool"
             if self.stroke is None:
-                self.stroke = Stroke([self.at], power=self.spindle, height=self.z, dwell=self.dwell)
+                self.stroke = Stroke(
+                    [self.at], [self.angle], power=self.spindle, height=self.z, dwell=self.dwell
+                )
                 self.run.strokes.append(self.stroke)
             assert any(np.hypot(*(point - self.at)) > 0.0 for point in points), "no way"
+            goal_angle = next((values[axis] for axis in values if axis in "ABC"), self.angle)
+            shares = np.arange(1, len(points) + 1) / len(points)
+            self.stroke.angles += (self.angle + shares * (goal_angle - self.angle)).tolist()
+            self.angle = goal_angle
             self.stroke.points += points
             self.stroke.feeds += [self.feed] * len(points)
         self.run.places += [tuple(point) for point in points]

@@ -87,6 +87,11 @@ def _job(document, label: str, drawing, made_for, steps) -> None:
     film.recompute()
     job = host.cam_job(film)
     job.Label = label
+    if made_for.tool.turning_axis:
+        job.Description = (
+            f"The G-code turns the tool by {made_for.tool.turning_axis}. FreeCAD takes that axis for one that"
+            " turns the work: its 3D view shows the path turned."
+        )
     for side in ("Xneg", "Xpos", "Yneg", "Ypos", "Zneg", "Zpos"):
         setattr(job.Stock, f"Ext{side}", 0.0)
     (controller,) = job.Tools.Group

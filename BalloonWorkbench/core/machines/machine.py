@@ -21,6 +21,7 @@ from BalloonWorkbench.core.machines.layers import Line, check_laser, layers_of, 
 from BalloonWorkbench.core.machines.marks.style import CROSSES, Marks, read_marks
 from BalloonWorkbench.core.machines.tool import (
     CONTROLLERS,
+    GRBL,
     LINUXCNC,
     MachineTool,
     changed,
@@ -299,7 +300,23 @@ def machine_of(data: dict[str, Any]) -> Machine:
         raise InputError('only a PDF has spot colours: give "format": "pdf", or leave them out.')
     if kind == "hpgl" and described.arcs:
         raise InputError('HPGL is written as polylines: give "arcs": false.')
+    if tool is not None and tool.turning_axis:
+        _check_turning(described)
     return described
+
+
+def _check_turning(described: Machine) -> None:
+    """InputError for a tool that the machine cannot turn, or that turns already."""
+    if described.version == GRBL:
+        raise InputError(
+            "GRBL knows X, Y and Z only: leave turning_axis out, or take LinuxCNC or Marlin where an axis"
+            " turns the tool."
+        )
+    if described.knife_offset > 0.0:
+        raise InputError(
+            "A tool that an axis turns does not swivel behind it: set knife_offset_mm to 0, or leave"
+            " turning_axis out."
+        )
 
 
 def _tool(data: dict[str, Any], kind: str) -> MachineTool | None:

@@ -39,6 +39,9 @@ from BalloonWorkbench.core.units import (
 #: Controllers whose G-code we write.
 GRBL, MARLIN, LINUXCNC = CONTROLLERS = "grbl", "marlin", "linuxcnc"
 _HOT = (HOT_TIP, HOT_WHEEL)
+#: Axes by which a controller turns a tool, what may be turned, and their key in a machine's file.
+AXES, TURNED = ("A", "B", "C"), (KNIFE, HOT_WHEEL)
+TURNING_AXIS = "turning_axis"
 #: What a machine does to the film, see machine.PROCESSES.
 _PROCESS = {LASER: "laser", HOT_TIP: "heat-sealing", HOT_WHEEL: "heat-sealing"}
 _CUTS = tuple(role for role in Role if role.is_cut)
@@ -59,6 +62,7 @@ class MachineTool:
     dwell          before it moves along a line: a laser burns in, a hot tip warms the film, a spindle
                    starts [s]
     lead_in        how long a way from waste film to a weld may be, 0 for none [m]
+    turning_axis   the axis that turns a knife or wheel along the path, one of AXES; "" for none
     """
 
     kind: str
@@ -72,6 +76,7 @@ class MachineTool:
     corner_feed: float = 1.0
     lead_in: float = from_mm(30.0)
     full_power: float = 1000.0
+    turning_axis: str = ""
 
     @property
     def is_hot(self) -> bool:
@@ -153,14 +158,15 @@ def read_tool(data: Mapping[str, Any]) -> MachineTool:
     Raises InputError that names the key.
     """
     known = {value.key: name for name, value in _VALUES.items()}
-    strange = sorted(set(data) - {"kind", *known})
+    strange = sorted(set(data) - {"kind", TURNING_AXIS, *known})
     if strange:
-        raise InputError(f'nobody knows "{strange[0]}" of a tool: it may be one of {", ".join(known)}.')
+        keys = ", ".join([*known, TURNING_AXIS])
+        raise InputError(f'nobody knows "{strange[0]}" of a tool: it may be one of {keys}.')
     if data.get("kind") not in TOOLS:
         raise InputError(f'the tool "{data.get("kind")}" is none of {", ".join(TOOLS)}.')
-    values = {}
+    values: dict[str, Any] = {TURNING_AXIS: _axis(data)}
     for key, number in data.items():
-        if key == "kind" or number is None:
+        if key in ("kind", TURNING_AXIS) or number is None:
             continue
         if isinstance(number, bool) or not isinstance(number, (int, float)):
             raise InputError(f"{key} is {number!r}: give a number.")
@@ -168,11 +174,21 @@ def read_tool(data: Mapping[str, Any]) -> MachineTool:
     return _checked(MachineTool(str(data["kind"]), **values))
 
 
+def _axis(data: Mapping[str, Any]) -> str:
+    axis = data.get(TURNING_AXIS) or ""
+    if axis not in ("", *AXES):
+        raise InputError(f"{TURNING_AXIS} is {axis!r}: give {', '.join(AXES)}, or leave it out.")
+    if axis and data["kind"] not in TURNED:
+        raise InputError(f"No axis turns a {_NAMES[data['kind']]}: leave {TURNING_AXIS} out.")
+    return str(axis)
+
+
 def tool_data(tool: MachineTool) -> dict[str, Any]:
     """What a machine's file has of a tool; `read_tool` gives the same tool again."""
     values = {name: getattr(tool, name) for name in _VALUES}
     known = {name: value for name, value in values.items() if value is not None}
-    return {"kind": tool.kind} | {
+    axis = {TURNING_AXIS: tool.turning_axis} if tool.turning_axis else {}
+    return {"kind": tool.kind, **axis} | {
         _VALUES[name].key: round(_VALUES[name].write(value), _DIGITS) for name, value in known.items()
     }
 

@@ -286,6 +286,8 @@ def test_senseless_settings_are_a_sentence(name: str, wishes: dict[str, object],
         ({"dwell_s": 60}, "dwell"),
         ({"kind": "axe"}, "axe"),
         ({"speed": 3}, "speed"),
+        ({"turning_axis": "C"}, "No axis turns a hot tip"),
+        ({"kind": "hot-wheel", "turning_axis": "U"}, "give A, B, C"),
     ],
 )
 def test_mistakes_in_a_machines_file_are_named(tmp_path: Path, values: dict[str, object], text: str) -> None:
@@ -296,6 +298,21 @@ def test_mistakes_in_a_machines_file_are_named(tmp_path: Path, values: dict[str,
     with pytest.raises(InputError, match=text) as caught:
         read_machine(path)
     assert "gcode-marlin.json" in str(caught.value)
+
+
+def test_what_an_axis_cannot_turn_is_refused(tmp_path: Path) -> None:
+    """GRBL has no such axis, and what swivels is not turned."""
+    for name, changes, text in (
+        ("grbl", {}, "GRBL knows X, Y and Z only"),
+        ("linuxcnc", {"knife_offset_mm": 0.5}, "set knife_offset_mm to 0"),
+    ):
+        data = json.loads((FOLDER / f"gcode-{name}.json").read_text(encoding="utf-8"))
+        data["tool"] |= {"kind": "knife", "turning_axis": "C"}
+        data["tool"].pop("power_percent", None)
+        path = tmp_path / f"{name}.json"
+        path.write_text(json.dumps({**data, "layers": {"CUT": {}}, **changes}), encoding="utf-8")
+        with pytest.raises(InputError, match=text):
+            read_machine(path)
 
 
 def test_a_users_own_machine_needs_no_options(tmp_path: Path) -> None:

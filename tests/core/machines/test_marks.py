@@ -53,17 +53,33 @@ def changed(folder: Path, name: str = "summa", **values: object) -> Machine:
 
 def test_silhouette() -> None:
     """inkscape-silhouette's render_silhouette_regmarks.py: a square of 5 mm with its corner, and lines of
-    20 mm with their middles, 10 mm from the edges of A4; 190 and 277 mm apart, as its guide has it."""
-    for name, arm, line in (("silhouette-inkscape", 20.0, 0.3), ("silhouette", 8.4, 1.0)):
+    20 mm with their middles, 10 mm from the edges of A4; 190 and 277 mm apart, as its guide has it. Silhouette
+    Studio's own: 0.394, 0.33 and 0.039 in, as proxies-at-home has them."""
+    for name, inset, arm, line in (
+        ("silhouette-inkscape", 10.0, 20.0, 0.3),
+        ("silhouette", 0.394 * 25.4, 0.33 * 25.4, 0.039 * 25.4),
+    ):
         laid = marked(sheet(150, 180), machine(name).marks)
         assert (laid.page[1] - laid.page[0]) / MM == pytest.approx([210.0, 297.0])
         half = 0.5 * line
+        right, top = 210.0 - inset, 297.0 - inset
         assert boxes(laid) == [
-            pytest.approx([10 - half, 10 - half, 10 + arm, 10 + arm]),
-            pytest.approx([10, 282, 15, 287]),
-            pytest.approx([200 - arm, 287 - arm, 200 + half, 287 + half]),
+            pytest.approx([inset - half, inset - half, inset + arm, inset + arm], abs=1e-3),
+            pytest.approx([inset, top - 5, inset + 5, top], abs=1e-3),
+            pytest.approx([right - arm, top - arm, right + half, top + half], abs=1e-3),
         ]
         assert sum(shape.area for shape in shapes(laid)) == pytest.approx(25 + 4 * arm * line, rel=1e-9)
+
+
+def test_four_corners_of_silhouette() -> None:
+    """Template of inkscape-silhouette for the Cameo 5 Alpha: four lines of 20 mm, 0.3 mm wide, inward, 10 mm
+    from the edges of A4."""
+    laid = marked(sheet(150, 180), machine("silhouette-alpha").marks)
+    assert boxes(laid) == [
+        pytest.approx([x - 0.15 if x < 100 else x - 20, y - 0.15 if y < 100 else y - 20,
+                       x + 20 if x < 100 else x + 0.15, y + 20 if y < 100 else y + 0.15])
+        for x in (10, 200) for y in (10, 287)
+    ]  # fmt: skip
 
 
 def test_corners_point_outward() -> None:
@@ -129,11 +145,11 @@ def test_rows_of_squares() -> None:
 
 
 def test_programs_with_marks_of_their_own() -> None:
-    """Cricut's Print Then Cut takes 183 x 270 mm on A4; a print shop's program as much as it likes."""
+    """Cricut's Print Then Cut takes 6.75 x 9.25 in, as open programs for it have it; a print shop's program as much as it likes."""
     for name in ("cricut", "print-and-cut-pdf"):
-        assert not marked(sheet(170, 250), machine(name).marks).of(Role.REGISTRATION)
-    with pytest.raises(InputError, match="186 x 256 mm, and Cricut Design Space takes at most 183 x 270 mm"):
-        marked(sheet(180, 250), machine("cricut").marks)
+        assert not marked(sheet(160, 225), machine(name).marks).of(Role.REGISTRATION)
+    with pytest.raises(InputError, match="176 x 216 mm, and Cricut Design Space takes at most 171 x 235 mm"):
+        marked(sheet(170, 210), machine("cricut").marks)
     assert marked(sheet(900, 900), machine("print-and-cut-pdf").marks).page is not None
 
 
@@ -141,7 +157,7 @@ def test_programs_with_marks_of_their_own() -> None:
 def test_white_stays_and_nothing_is_cut_outside(name: str) -> None:
     """Round a balloon of 30 mm and as large as the page bears; on the front as on the back."""
     marks = machine(name).marks
-    for own in (sheet(30, 30), sheet(120, 175), sheet(168, 90)):
+    for own in (sheet(30, 30), sheet(120, 175), sheet(164, 90)):
         front = marked(own, marks)
         back = marked_back(front, marks)
         for laid in (front, back):

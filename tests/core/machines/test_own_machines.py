@@ -103,6 +103,20 @@ def test_values_that_make_no_sense(name: str, key: str, text: str, sentence: str
         with_entry(machine_data(name), ENTRY[key], text)
 
 
+def test_a_turning_axis_takes_the_place_of_a_swivel() -> None:
+    """Its offset goes, and the axis goes where the controller has none."""
+    data = machine_data("gcode-linuxcnc")
+    data = with_entry(data, ENTRY["knife_offset_mm"], "0.25")
+    turned = with_entry(data, ENTRY["turning_axis"], "C")
+    assert machine_of(turned).tool.turning_axis == "C"  # type: ignore[union-attr]
+    assert machine_of(turned).knife_offset == 0.0
+    assert not ENTRY["knife_offset_mm"].applies(turned)
+    on_grbl = with_entry(turned, ENTRY["format"], "gcode grbl")
+    assert machine_of(on_grbl).tool.turning_axis == ""  # type: ignore[union-attr]
+    assert not ENTRY["turning_axis"].applies(on_grbl)
+    assert machine_of(with_entry(turned, ENTRY["kind"], "laser")).tool.turning_axis == ""  # type: ignore[union-attr]
+
+
 def test_what_is_left_empty_is_not_known_or_as_usual() -> None:
     data = typed(machine_data("gcode-linuxcnc"), knife_offset_mm="0.3", feed_mm_min="600", overcut_mm="2")
     data = typed(data, feed_mm_min="", overcut_mm=" ", kerf_mm="", lift_mm="")

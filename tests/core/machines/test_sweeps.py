@@ -32,6 +32,7 @@ from BalloonWorkbench.core.bodies.profile import Profile
 from BalloonWorkbench.core.film.library import film
 from BalloonWorkbench.core.geometry.areas import parts
 from BalloonWorkbench.core.machines.machine import machine
+from BalloonWorkbench.core.options.making import ToolOptions
 from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.pattern.intake.kinds import RIM, intake_kinds
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
@@ -251,6 +252,28 @@ def test_a_wheel_on_a_swivel_follows_the_weld() -> None:
             off.append(seals.distance(shapely.Point(wheel)))
         beside = np.array(off) > 0.3
         assert beside[20:-30].mean() < 0.02
+
+
+@pytest.mark.parametrize("arcs", [True, False])
+@pytest.mark.parametrize("wishes", [WHEEL, KNIFE], ids=["wheel", "knife"])
+def test_a_tool_that_an_axis_turns_points_along_the_path(wishes: ToolOptions, arcs: bool) -> None:
+    """All along, arcs and corners too: the reader holds that it is lifted where it turns sharply."""
+    for title, sheet in patterns().items():
+        made_for = held("linuxcnc", wishes, arcs=arcs)
+        made_for = replace(made_for, tool=replace(made_for.tool, turning_axis="C"))
+        read = run(sheet, made_for)
+        plain = run(sheet, held("linuxcnc", wishes, arcs=arcs))
+        gone, wanted = (shapely.union_all(strokes(each)) for each in (read, plain))
+        assert shapely.hausdorff_distance(gone, wanted) < NEAR, title
+        for stroke in read.strokes:
+            way = np.diff(stroke.line, axis=0)
+            long = np.hypot(*way.T) > 0.02
+            heading = np.degrees(np.arctan2(way[:, 1], way[:, 0]))
+            middles = 0.5 * (np.array(stroke.angles[1:]) + stroke.angles[:-1])
+            turned = np.abs(np.diff(stroke.angles))
+            off = np.abs((middles - heading + 180.0) % 360.0 - 180.0) - 0.5 * turned
+            assert off[long].max(initial=0.0) < 3.0, title
+            assert np.abs(stroke.angles).max() < 180.0 + 360.0 * 1.6, title
 
 
 def test_hot_tip_and_laser_lie_on_each_other() -> None:

@@ -15,9 +15,12 @@ from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.machines.layers import LASER_KEYS
 from BalloonWorkbench.core.machines.machine import LIMITS, UNITS
 from BalloonWorkbench.core.machines.tool import (
+    AXES,
     GRBL,
     LINUXCNC,
     MARLIN,
+    TURNED,
+    TURNING_AXIS,
     MachineTool,
     read_tool,
     tool_data,
@@ -72,9 +75,8 @@ class MachineEntry:
 
     def applies(self, data: Mapping[str, Any]) -> bool:
         """Whether the machine that a file describes has this value."""
-        if self.of_tool:
-            return data.get("tool", {}).get("kind") in self.of_tool
-        return self.has(data)
+        of_tool = not self.of_tool or data.get("tool", {}).get("kind") in self.of_tool
+        return of_tool and self.has(data)
 
 
 def _welds(data: Mapping[str, Any]) -> bool:
@@ -86,8 +88,9 @@ def _cuts(data: Mapping[str, Any]) -> bool:
 
 
 def _swivels(data: Mapping[str, Any]) -> bool:
-    kind = data.get("tool", {}).get("kind", KNIFE)
-    return kind == HOT_WHEEL or (kind == KNIFE and _cuts(data))
+    tool = data.get("tool", {})
+    kind = tool.get("kind", KNIFE)
+    return not tool.get(TURNING_AXIS) and (kind == HOT_WHEEL or (kind == KNIFE and _cuts(data)))
 
 
 FORMAT, BED, NOTE = "format", "bed_mm", "note"
@@ -120,6 +123,10 @@ ENTRIES = (
         tip="Share of the feed near corners and in narrow bends"),
     MachineEntry("lead_in_mm", label="Lead-in", unit="mm", of_tool=_HOT,
         tip="How long a way from waste film to a weld may be; 0 for none"),
+    MachineEntry(TURNING_AXIS, label="Turning axis", titles={"": "None", **{axis: axis for axis in AXES}},
+        of_tool=TURNED, has=lambda data: data["version"] != GRBL,
+        tip="The axis that turns the wheel or knife along the path, 0 along X, counter-clockwise from above;"
+        " none for one that swivels or is round"),
     MachineEntry("full_power", label="S at full power", of_tool=(LASER,),
         tip="The number that the controller takes for full power: $30 of GRBL"),
     MachineEntry("kerf_mm", label="Kerf", unit="mm", has=_cuts,
@@ -165,8 +172,8 @@ def with_entry(data: Mapping[str, Any], entry: MachineEntry, value: Any) -> dict
     if not entry.of_tool:
         return _put(data, entry.key, value)
     tool = _put(data["tool"], entry.key, value)
-    read_tool(tool)
-    return {**data, "tool": tool}
+    turned = read_tool(tool).turning_axis
+    return {**data, "tool": tool, **({"knife_offset_mm": 0} if turned else {})}
 
 
 def _put(data: Mapping[str, Any], key: str, value: Any) -> dict[str, Any]:
@@ -229,6 +236,8 @@ def _with_tool(data: Mapping[str, Any], kind: str) -> dict[str, Any]:
 def _in_format(data: Mapping[str, Any], kind: str, version: str = "") -> dict[str, Any]:
     """In another format: what the old one alone has goes, and so does the note, which is about it."""
     made = {**data, "format": kind, "version": version}
+    if version == GRBL and "tool" in made:
+        made["tool"] = {key: value for key, value in made["tool"].items() if key != TURNING_AXIS}
     if kind == data["format"]:
         return made
     made |= {NOTE: "", "arcs": made["arcs"] and kind not in _WITHOUT_ARCS}

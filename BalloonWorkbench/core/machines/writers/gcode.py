@@ -45,6 +45,8 @@ def _header(drawing: Toolpaths, machine: Machine, tool: MachineTool) -> Iterator
     if tool.depth is not None:
         depth, lifted = (number_text(to_mm(length), 4) for length in (tool.depth, tool.lift))
         yield f"Depth {depth} mm, lifted {lifted} mm"
+    if tool.turning_axis:
+        yield f"{tool.turning_axis}0: the tool points along X; it turns counter-clockwise seen from above."
     if tool.kind == LASER:
         yield f"Power {number_text(100.0 * (tool.power or 0.0))} %"
     yield from laser_settings(machine)

@@ -19,6 +19,7 @@ from BalloonWorkbench.core.machines.machine import Machine
 from BalloonWorkbench.core.machines.tool import GRBL, LINUXCNC, MARLIN, MachineTool, lacking
 from BalloonWorkbench.core.machines.toolpaths import Path, Toolpaths
 from BalloonWorkbench.core.machines.writers.corners import slowed
+from BalloonWorkbench.core.machines.writers.turning import angles_along
 from BalloonWorkbench.core.options.making import LASER, SPINDLE
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import from_mm, to_mm, to_mm_per_minute
@@ -30,6 +31,8 @@ _RISE = 0.001
 _LARGEST = 2000.0
 #: The feed of every way down [mm/min]: no axis is slower.
 _DOWN = 300.0
+#: How fast an axis turns the tool where it stands [degrees/min].
+_TURN = 3600.0
 _MS = 1000.0
 
 
@@ -37,7 +40,8 @@ _MS = 1000.0
 class Instruction:
     """What a controller is told: a name such as G1, and its words; a note alone has no name.
 
-    words  coordinates and centres [mm], F [mm/min], all others as the controller wants them
+    words  coordinates and centres [mm], A, B and C [degrees], F [mm/min], all others as the controller wants
+           them
     """
 
     name: str = ""
@@ -139,17 +143,38 @@ class _Writer:
         at = np.round(curve.joints[0], DIGITS) + 0.0
         yield Instruction(note=path.role.value)
         yield Instruction("G0", {"X": float(at[0]), "Y": float(at[1])})
+        axis = self._tool.turning_axis
+        starts, ends, lifted = angles_along(curve)
+        if axis:
+            yield Instruction("G0", {axis: _angle(starts[0])})
         yield from self._on()
         feed = 0.0
         for segment, is_slow in enumerate(slow):
             own_feed = round(self._feed * self._tool.corner_feed, 3) if is_slow else self._feed
-            for step in _along(at, curve, segment):
+            steps = list(_along(at, curve, segment))
+            if axis and segment and steps and starts[segment] != ends[segment - 1]:
+                yield from self._turned(starts[segment], bool(lifted[segment]))
+                feed = 0.0
+            for number, step in enumerate(steps, 1):
                 words = dict(step.words)
+                if axis and starts[segment] != ends[segment]:
+                    turned = number / len(steps) * (ends[segment] - starts[segment])
+                    words[axis] = _angle(starts[segment] + turned)
                 if own_feed != feed:
                     feed = words["F"] = own_feed
                 at = np.array([words["X"], words["Y"]])
                 yield replace(step, words=words)
         yield from self._away()
+
+    def _turned(self, angle: float, lifted: bool) -> Iterator[Instruction]:
+        """The tool turned where it is."""
+        turn = {self._tool.turning_axis: _angle(angle)}
+        if lifted:
+            yield from self._away()
+            yield Instruction("G0", turn)
+            yield from self._on()
+        else:
+            yield Instruction("G1", {**turn, "F": _TURN})
 
     def end(self) -> Iterator[Instruction]:
         """The tool up, off and back at the corner."""
@@ -161,6 +186,8 @@ class _Writer:
         if self._turns:
             yield Instruction("M5")
         yield Instruction("G0", {"X": 0.0, "Y": 0.0})
+        if self._tool.turning_axis:
+            yield Instruction("G0", {self._tool.turning_axis: 0.0})
         if self._controller != MARLIN:
             yield Instruction("M2")
 
@@ -181,6 +208,10 @@ class _Writer:
         if self._tool.dwell > 0.0:
             seconds = self._tool.dwell * (_MS if self._controller == MARLIN else 1.0)
             yield Instruction("G4", {"P": round(seconds, 3)})
+
+
+def _angle(degrees: float) -> float:
+    return float(np.round(degrees, DIGITS) + 0.0)
 
 
 def _along(at: Floats, curve: Curve, segment: int) -> Iterator[Instruction]:
