@@ -368,7 +368,8 @@ def fit_film(made: Parts, photo, scale: str, rim=None, replace: bool = False) ->
     """Find from a photograph how much a balloon's film has stretched and how far the weld drew the seam in,
     and keep both as a film of your own, such as mylar-as-made; returns its file.
 
-    photo, scale, rim as for `compare`; replace: a film of this name may be replaced. Raises BalloonError.
+    photo, scale, rim as for `compare`. A film of this name gets the mean of all its photographs; replace:
+    earlier ones are forgotten. Raises BalloonError.
     """
     from BalloonWorkbench.app.as_made import photo_comparison
 

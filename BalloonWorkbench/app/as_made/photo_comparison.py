@@ -9,7 +9,7 @@ from pathlib import Path
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.engine import bag_result, film_result
 from BalloonWorkbench.app.properties import film
-from BalloonWorkbench.core.errors import ExportError, InputError
+from BalloonWorkbench.core.errors import InputError
 
 _READ, _COMPARED = 0.1, 0.3  # of the progress
 
@@ -87,16 +87,16 @@ def fitted_film(balloon) -> Path:
 def keep_film(balloon, compared, photo, replace: bool = False) -> Path:
     """Keep the film that was fitted among the user's own; returns its file.
 
-    Raises InputError as `fitted_film` does, ExportError where there is such a film and replace is False.
+    One that is there gets the mean of all its photographs, unless it is to be replaced. Raises InputError as
+    `fitted_film` does, and for a file that is no film.
     """
     from BalloonWorkbench.core.as_made.fitted_film import fitted_film_file
     from BalloonWorkbench.core.files.write import write_files
 
     target = fitted_film(balloon)
-    if target.exists() and not replace:
-        raise ExportError(f"There is a film {target.stem} already: say that it may be replaced.")
-    own = film.own_folder() / f"{balloon.Film}.json"
-    name = str(own) if own.is_file() else balloon.Film
+    own = film.own_folder() / f"{balloon.Film.removesuffix('-as-made') if replace else balloon.Film}.json"
+    own = target if target.exists() and not replace else own
+    name = str(own) if own.is_file() else own.stem
     (path,) = write_files(target.parent, fitted_film_file(name, compared.fit, Path(photo).name))
     return path
 

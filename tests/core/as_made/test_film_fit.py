@@ -6,6 +6,7 @@ from __future__ import annotations
 import json
 from dataclasses import replace
 from functools import cache, partial
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -13,8 +14,9 @@ import shapely
 
 from BalloonWorkbench.core.as_made.compare_job import Compared, compare_balloon, compared_files, rim_of
 from BalloonWorkbench.core.as_made.comparison import Comparison, Expected, compare, compared, with_rim
+from BalloonWorkbench.core.as_made.comparison_report import fit_data
 from BalloonWorkbench.core.as_made.film_fit import FilmFit, fit_film
-from BalloonWorkbench.core.as_made.fitted_film import fitted_film_file
+from BalloonWorkbench.core.as_made.fitted_film import fitted_film_file, mean_of
 from BalloonWorkbench.core.as_made.photo_scale import PhotoScale
 from BalloonWorkbench.core.as_made.photograph import SeenShape
 from BalloonWorkbench.core.as_made.placement import Placement
@@ -177,6 +179,36 @@ def test_the_files_say_the_same() -> None:
     assert shapely.hausdorff_distance(*rings, 0.01) == pytest.approx(data["difference"]["max_mm"], abs=0.1)
 
 
+def test_the_mean_of_photographs() -> None:
+    """Weighed by errors, as in every textbook: of two alike the error is smaller by the root of two; of two
+    that contradict each other it is half their distance. What a disc says counts only while nothing better
+    is known."""
+    one = fit_data(FilmFit(0.010, 0.002, 1e-3, 2e-4, True, 1e-4))
+    assert mean_of([one]) == one
+    both = mean_of([one, one])
+    assert both["stretch_error"] == pytest.approx(0.002 / np.sqrt(2.0))
+    assert both["weld_shrinkage_error_mm"] == pytest.approx(0.2 / np.sqrt(2.0))
+    far = fit_data(FilmFit(0.030, 0.002, 1e-3, 2e-4, True, 3e-4))
+    apart = mean_of([one, far])
+    assert apart["stretch"] == pytest.approx(0.020)
+    assert apart["stretch_error"] == pytest.approx(0.010)
+    assert apart["left_mm"] == pytest.approx(0.2)
+    sharp = fit_data(FilmFit(0.013, 0.001, 1e-3, 2e-4, True, 1e-4))
+    assert mean_of([one, sharp])["stretch"] == pytest.approx((0.010 / 4.0 + 0.013) / 1.25)
+    disc = fit_data(FilmFit(0.05, 0.0001, 9e-3, 1e-6, False, 1e-4))
+    assert mean_of([one, disc]) == one
+    assert mean_of([disc, disc])["told_apart"] is False
+
+
+@pytest.mark.parametrize("as_made", [3, {"photographs": []}, {"photographs": {"a.jpg": {"stretch": 1}}}])
+def test_a_spoiled_fit_is_named(tmp_path: Path, as_made: object) -> None:
+    fit = FilmFit(0.010, 0.002, 1e-3, 2e-4, True, 1e-4)
+    path = tmp_path / "mylar-as-made.json"
+    path.write_text(json.dumps({**film_data("mylar"), "name": path.stem, "as_made": as_made}))
+    with pytest.raises(InputError, match='"as_made" of the film'):
+        fitted_film_file(str(path), fit, "photo.jpg")
+
+
 def test_the_fitted_film_is_a_film_of_the_users_own(tmp_path: object) -> None:
     fit = as_made(0.012, 0.0009).fit
     assert fit is not None
@@ -189,5 +221,12 @@ def test_the_fitted_film_is_a_film_of_the_users_own(tmp_path: object) -> None:
     assert film_data(str(path))["as_made"]["weld_shrinkage_mm"] == pytest.approx(1e3 * fit.shrinkage)
     again = fitted_film_file(str(path), fit, "photo.jpg")
     assert again == {name: content}
+    other = replace(fit, stretch=fit.stretch + 0.001, apart=True, stretch_error=fit.stretch_error)
+    (added,) = fitted_film_file(str(path), other, "second.jpg").values()
+    made = json.loads(added)["as_made"]
+    assert made["stretch"] == pytest.approx(fit.stretch + 0.0005)
+    assert made["source"] == "fitted to photo.jpg, second.jpg"
+    path.write_bytes(added)
+    assert fitted_film_file(str(path), fit, "photo.jpg") == {name: added}
     with pytest.raises(InputError, match="no film"):
         fitted_film_file("paper bag", fit, "photo.jpg")

@@ -53,8 +53,8 @@ def changed(folder: Path, name: str = "summa", **values: object) -> Machine:
 
 def test_silhouette() -> None:
     """inkscape-silhouette's render_silhouette_regmarks.py: a square of 5 mm with its corner, and lines of
-    20 mm with their middles, 10 mm from the edges of A4; 190 and 277 mm apart, as its guide has it. Silhouette
-    Studio's own: 0.394, 0.33 and 0.039 in, as proxies-at-home has them."""
+    20 mm with their middles, 10 mm from the edges of A4; 190 and 277 mm apart, as its guide has it.
+    Silhouette Studio's own: 0.394, 0.33 and 0.039 in, as proxies-at-home has them."""
     for name, inset, arm, line in (
         ("silhouette-inkscape", 10.0, 20.0, 0.3),
         ("silhouette", 0.394 * 25.4, 0.33 * 25.4, 0.039 * 25.4),
@@ -145,7 +145,8 @@ def test_rows_of_squares() -> None:
 
 
 def test_programs_with_marks_of_their_own() -> None:
-    """Cricut's Print Then Cut takes 6.75 x 9.25 in, as open programs for it have it; a print shop's program as much as it likes."""
+    """Cricut's Print Then Cut takes 6.75 x 9.25 in, as open programs for it have it; a print shop's program
+    as much as it likes."""
     for name in ("cricut", "print-and-cut-pdf"):
         assert not marked(sheet(160, 225), machine(name).marks).of(Role.REGISTRATION)
     with pytest.raises(InputError, match="176 x 216 mm, and Cricut Design Space takes at most 171 x 235 mm"):

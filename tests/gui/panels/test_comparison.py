@@ -2,6 +2,7 @@
 """Compare with a photograph: marked, compared, saved and fitted with the mouse; nonsense is told there."""
 
 import json
+from pathlib import Path
 
 import FreeCAD as App
 import FreeCADGui as Gui
@@ -88,7 +89,7 @@ def test_a_length_is_marked_and_the_balloon_compared(made, photo, tmp_path, stan
     hands.press("Close")
 
 
-def test_the_fitted_film_is_kept_and_not_replaced_unasked(made, photo, own_films, stand_in):
+def test_the_fitted_film_is_kept_and_gets_the_mean_of_photographs(made, photo, own_films, stand_in):
     lines = []
     stand_in.setattr(macro_recorder, "call", lambda *words, **named: lines.append((words, named)))
     open_panel(made)
@@ -101,15 +102,25 @@ def test_the_fitted_film_is_kept_and_not_replaced_unasked(made, photo, own_films
     assert kept.stem == f"{made.balloon.Film}-as-made" in film.known_films()
     assert json.loads(kept.read_text())["as_made"]["stretch"] == pytest.approx(0.02, abs=0.01)
     assert lines[0][0][0] == "fit_film"
-    kept.write_text("precious")
+    first = json.loads(kept.read_text())
+    other = dict(first["as_made"], stretch=first["as_made"]["stretch"] + 0.01)
+    del other["photographs"]
+    first["as_made"]["photographs"] = {"other.jpg": other}
+    kept.write_text(json.dumps(first))
     compare()
     hands.screenshot("compare_fitted")
     hands.click(hands.find("KeepFilm"))
-    assert "There is a film" in hands.message()
+    both = json.loads(kept.read_text())["as_made"]
+    assert sorted(both["photographs"]) == sorted(["other.jpg", Path(photo).name])
+    assert both["stretch"] == pytest.approx(first["as_made"]["stretch"] + 0.005, abs=0.001)
+    kept.write_text("precious")
+    compare()
+    hands.click(hands.find("KeepFilm"))
+    assert kept.name in hands.message()
     assert kept.read_text() == "precious"
     hands.tick(hands.find("ReplaceFilm"))
     hands.click(hands.find("KeepFilm"))
-    assert json.loads(kept.read_text())["as_made"]
+    assert list(json.loads(kept.read_text())["as_made"]["photographs"]) == [Path(photo).name]
     hands.press("Close")
 
 

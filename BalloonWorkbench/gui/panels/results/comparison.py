@@ -111,8 +111,10 @@ class ComparisonPanel(TaskPanel):
         self.keep.setToolTip(
             translate("A film of your own beside the balloon's, with what was found; it changes no pattern")
         )
-        self.replace = QtWidgets.QCheckBox(translate("Replace it"))
-        self.replace.setToolTip(translate("A film of this name is there already"))
+        self.replace = QtWidgets.QCheckBox(translate("Forget earlier photographs"))
+        self.replace.setToolTip(
+            translate("A film of this name is there already: else it gets the mean of all")
+        )
         for name, widget in {
             "Message": self.message,
             "ComparedPicture": self.picture,
