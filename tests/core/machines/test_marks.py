@@ -71,6 +71,18 @@ def test_silhouette() -> None:
         assert sum(shape.area for shape in shapes(laid)) == pytest.approx(25 + 4 * arm * line, rel=1e-9)
 
 
+def test_paper_lies_across_where_the_print_fits_only_so() -> None:
+    """Also on the back; upright wherever it fits upright."""
+    marks = machine("silhouette-inkscape").marks
+    for own, across in ((sheet(200, 100), True), (sheet(100, 200), False), (sheet(150, 150), False)):
+        front = marked(own, marks)
+        for laid in (front, marked_back(front, marks)):
+            size = np.ptp(np.array(laid.page), axis=0) / MM
+            assert size == pytest.approx([297.0, 210.0] if across else [210.0, 297.0])
+            film = shapely.Polygon((laid.of(Role.PRINT)[0].points - laid.page[0]) / MM)
+            assert shapely.box(*shapely.union_all(shapes(laid)).bounds).contains(film)
+
+
 def test_four_corners_of_silhouette() -> None:
     """Template of inkscape-silhouette for the Cameo 5 Alpha: four lines of 20 mm, 0.3 mm wide, inward, 10 mm
     from the edges of A4."""
@@ -194,8 +206,8 @@ def test_marks_take_the_place_of_others() -> None:
 
 def test_what_does_not_fit_on_its_page() -> None:
     silhouette = machine("silhouette-inkscape").marks
-    with pytest.raises(InputError, match="measures 206 x 106 mm, and between the marks of Silh") as told:
-        marked(sheet(200, 100), silhouette)
+    with pytest.raises(InputError, match="measures 206 x 206 mm, and between the marks of Silh") as told:
+        marked(sheet(200, 200), silhouette)
     assert "there are 186 x 273 mm on paper of 210 x 297 mm" in str(told.value)
     square = sheet(150, 250)
     corners = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]) * 0.5 * MM

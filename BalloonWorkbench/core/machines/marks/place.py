@@ -99,10 +99,13 @@ def _frame(sheet: Pattern, marks: Marks) -> tuple[_Frame, _Frame]:
             frame = print_.wider(marks.clear + marks.size)
         page = frame.wider(beyond)
     else:
-        middle, half = 0.5 * (print_.low + print_.high), 0.5 * np.array(marks.page)
-        page = _Frame(middle - half, middle + half)
+        around = 2.0 * (beyond + marks.clear + _inside(marks))
+        size, room = np.array(marks.page), np.array(marks.page) - around
+        if (print_.size > room + _HAIR).any() and (print_.size <= room[::-1] + _HAIR).all():
+            size, room = size[::-1], room[::-1]  # the paper lies across
+        middle = 0.5 * (print_.low + print_.high)
+        page = _Frame(middle - 0.5 * size, middle + 0.5 * size)
         frame = page.wider(-beyond)
-        room = frame.size - 2.0 * (marks.clear + _inside(marks))
         if (print_.size > room + _HAIR).any():
             raise MarksError(
                 f"The print measures {size_text(*print_.size)}, and between the marks of {marks.owner[0]}"
