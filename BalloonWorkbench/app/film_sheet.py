@@ -224,13 +224,10 @@ def _by_film(obj) -> dict:
 
 def _title(used, titles: dict) -> str:
     """What a film is called among those in titles, which gets it; its grain and weld make no other."""
-    from dataclasses import replace
-
-    roll = replace(used, grain_angle=0.0, seal_width=0.0, weld_rigidity=1.0, weld_rigidity_source="")
-    if roll not in titles:
-        same = sum(each.title == roll.title for each in titles)
-        titles[roll] = f"{roll.title} ({same + 1})" if same else roll.title
-    return titles[roll]
+    if used.roll not in titles:
+        same = sum(each.title == used.title for each in titles)
+        titles[used.roll] = f"{used.title} ({same + 1})" if same else used.title
+    return titles[used.roll]
 
 
 def _pieces(pattern_obj, balloons: int, grain) -> list:

@@ -28,6 +28,8 @@ _TWIST = 0.3  # a start that is plainly out of plane: the flat balloon is at res
 #: Of its stiffness, what a creased weld is taken to keep: with much less every ring kinks, with more none.
 CREASED = 0.03
 _STEPS = 60  # in which a ring has kinked, if it does
+#: How often that is tried, with patterns larger by so much.
+_TRIES, _HAIR = 8, 1e-9
 
 
 def seam_height(pattern: Outline, film: Film) -> float:
@@ -44,15 +46,30 @@ def creased_outlines(pattern: Outline, film: Film, seal_widths: tuple[float, ...
     that the one before has creased: a kinked ring and an even one may both be at rest, and which comes out of
     the flat film is an accident of mesh and rounding. So only a width that straightens a ring helps.
     """
-    panel = rough_panel(pattern, _VERTICES)
     rigidities = [film.weld_rigidity * _stiffer(film, width) for width in seal_widths]
+    creased = _first_creased(pattern, film, CREASED * rigidities[0])
+    panel = creased.panel
     sound = inflate(panel, replace(_plain(film), weld_rigidity=rigidities[0]), PRESSURE)
     outline, rim = silhouette(sound), sound.positions[np.concatenate(panel.loops), :2]
-    creased, moved = None, []
-    for rigidity in rigidities:
+    moved = [misfit(outline, silhouette(laid_over(creased, rim)))]
+    for rigidity in rigidities[1:]:
         creased = _creased(panel, film, CREASED * rigidity, creased)
         moved.append(misfit(outline, silhouette(laid_over(creased, rim))))
     return moved
+
+
+def _first_creased(pattern: Outline, film: Film, rigidity: float) -> Inflation:
+    """The balloon from the flat film that is soon at rest.
+
+    Rounding may lead it past that place to one far away, after many steps. Patterns that differ by less than
+    a nanometre are tried then, so that another processor tells the same.
+    """
+    for number in range(_TRIES):
+        grown = pattern.map(lambda loop, by=1.0 + _HAIR * number: by * loop)
+        creased = _creased(rough_panel(grown, _VERTICES), film, rigidity, None)
+        if creased.report.converged:
+            break
+    return creased
 
 
 def _stiffer(film: Film, seal_width: float) -> float:

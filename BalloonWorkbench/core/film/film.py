@@ -87,6 +87,12 @@ class Film:
         return self.grain_angle if self.grain or self.young_modulus_across is not None else None
 
     @property
+    def roll(self) -> tuple[object, ...]:
+        """What two films from one roll have in common, however they lie in a drawing and are welded."""
+        stiffness = self.young_modulus, self.young_modulus_across, self.poisson_ratio
+        return (self.title, self.thickness, self.areal_density, *stiffness, self.sealing_side)
+
+    @property
     def seam(self) -> str:
         """What people call the line along which two panels are joined."""
         return JOININGS[self.joining]

@@ -125,7 +125,7 @@ def test_artwork_has_the_marks_of_the_chosen_machine(parts, picture, tmp_path):
     assert "no machine" in art.Status
     art.Bleed, art.MarksFor = 50.0, "cricut"
     doc.recompute()
-    assert "takes at most 183 x 270 mm" in art.Status
+    assert "takes at most 171 x 235 mm" in art.Status
     art.MarksFor = ""
     doc.recompute()
     assert art.Status == status.READY

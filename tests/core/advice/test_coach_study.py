@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import os
 import re
-from functools import cache
+from functools import cache, partial
 
 import numpy as np
 import pytest
@@ -18,6 +18,7 @@ from drawn_shapes import corners_of, hole, oriented, polar
 
 from BalloonWorkbench.core.advice.advise import advise
 from BalloonWorkbench.core.advice.findings import Finding
+from BalloonWorkbench.core.advice.rings import creased_outlines
 from BalloonWorkbench.core.outline.outline import Outline
 
 ALL = int(os.environ.get("BALLOON_COACHED", "1")) > 10
@@ -96,6 +97,16 @@ def test_a_ring_kinks_as_its_simulation_does(name: str) -> None:
         assert lengths[0] == pytest.approx(300.0 * finding.measured, rel=0.05)
         assert lengths[1] == 2e3 * FILM.seal_width
         assert 1.0 / 1.5 < lengths[2] / (300.0 * wider) < 1.5
+
+
+def test_rounding_does_not_tell_whether_a_ring_kinks() -> None:
+    """Patterns that differ by nanometres, as other processors do: the same within a sixth."""
+    pattern, widths = RINGS["hole off the middle"], (FILM.seal_width, 2.0 * FILM.seal_width)
+    moved = [
+        [each.residual.max for each in creased_outlines(pattern.map(partial(np.multiply, by)), FILM, widths)]
+        for by in 1.0 + 1.3e-8 * np.arange(8)
+    ]
+    assert (np.ptp(moved, axis=0) < np.median(moved, axis=0) / 6.0).all()
 
 
 def test_an_open_ring_is_not_said_to_warp() -> None:
