@@ -225,7 +225,7 @@ def _by_film(obj) -> dict:
 def _title(used, titles: dict) -> str:
     """What a film is called among those in titles, which gets it; its grain and weld make no other."""
     if used.roll not in titles:
-        same = sum(each.title == used.title for each in titles)
+        same = sum(title == used.title for title, *_ in titles)
         titles[used.roll] = f"{used.title} ({same + 1})" if same else used.title
     return titles[used.roll]
 
