@@ -14,6 +14,7 @@ from quick import no_document, rough_pictures  # noqa: F401 - fixtures
 from BalloonWorkbench.cli import main
 from BalloonWorkbench.core.film.library import film
 from BalloonWorkbench.core.film.start_values import separating_layers
+from BalloonWorkbench.core.nesting import nest
 from BalloonWorkbench.core.units import to_mm_per_minute
 
 sys.path.append(str(Path(__file__).resolve().parents[2] / "tools"))
@@ -26,8 +27,9 @@ COARSE = ("--mesh-size", "40mm", "--only", "pattern", "--dpi", "40")
 
 
 def test_each_command_runs_and_makes_its_files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Coarsely, and without the correction of `design`, which others try."""
+    """Coarsely, laid out in rows, and without the correction of `design`: others try the searches."""
     monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(nest, "PACKAGE", "no_such_package")
     monkeypatch.setenv("BALLOON_MACHINES", str(tmp_path / "machines"))
     for name in INPUTS:
         shutil.copy(ROOT / "resources" / "examples" / name, tmp_path)

@@ -17,6 +17,7 @@ from BalloonWorkbench.core.film.library import film
 from BalloonWorkbench.core.machines.machine import machines
 from BalloonWorkbench.core.machines.preflight import preflight
 from BalloonWorkbench.core.making.bag_numbers import bag_pieces
+from BalloonWorkbench.core.nesting import nest as nesting
 from BalloonWorkbench.core.nesting.layout import Stock
 from BalloonWorkbench.core.nesting.nest import nest
 from BalloonWorkbench.core.options.pattern import PatternOptions
@@ -160,7 +161,9 @@ def test_copies_of_the_balloon_are_all_on_the_sheet() -> None:
     assert three.film_area == pytest.approx(one.film_area)
 
 
-def test_all_panels_are_laid_out_on_film() -> None:
+def test_all_panels_are_laid_out_on_film(monkeypatch: pytest.MonkeyPatch) -> None:
+    """In rows: the search does not make or lose any."""
+    monkeypatch.setattr(nesting, "PACKAGE", "no_such_package")
     patterns = made("ready tetrahedron")
     pieces = bag_pieces(patterns, 2, None)
     layouts, _ = nest(pieces, Stock(1.0))
