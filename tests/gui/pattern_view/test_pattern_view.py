@@ -7,6 +7,7 @@ import FreeCADGui as Gui
 import hands
 import numpy as np
 import pytest
+from flat_hands import click, lit, middle, open_tab
 
 from BalloonWorkbench.app import film_sheet
 from BalloonWorkbench.app.border import status
@@ -20,41 +21,6 @@ Kind, Qt = hands.QtCore.QEvent, hands.QtCore.Qt
 def box(doc):
     """A ready box of few triangles: six panels, twelve seams."""
     return create.balloon_from_panels(doc, "Box", mesh_size="30 mm")
-
-
-def open_tab(obj):
-    App.setActiveDocument(obj.Document.Name)
-    Gui.Selection.clearSelection()
-    Gui.Selection.addSelection(obj)
-    hands.wait(0.3)  # from FreeCAD 1.0 on that brings the 3D view to the front
-    Gui.runCommand("BalloonWorkbench_PatternView")
-    (tab,) = [each for each in tabs._tabs if each.obj.Document == obj.Document]
-    hands.wait_until(lambda: tab.isVisible() and tab.parentWidget().isMaximized(), 5)
-    hands.wait(0.3)  # it has its size
-    return tab
-
-
-def click(tab, place):
-    """A click at a place of the pieces [m], once the tab has its size."""
-    size = None
-    while size != tab.view.size():
-        size = tab.view.size()
-        hands.wait(0.1)
-    at = hands.QtCore.QPointF(tab.view.place_of(np.asarray(place)))
-    view = tab.view.viewport()
-    assert view.rect().contains(at.toPoint())
-    brush.mouse_at(view, Kind.MouseMove, at, Qt.NoButton, Qt.NoButton)
-    brush.mouse_at(view, Kind.MouseButtonPress, at)
-    brush.mouse_at(view, Kind.MouseButtonRelease, at, held=Qt.NoButton)
-    hands.wait(0.05)
-
-
-def middle(edge):
-    return 0.5 * (edge.line[0] + edge.line[-1])
-
-
-def lit(tab):
-    return len(tab.view.scene()._lit)
 
 
 def closed():
