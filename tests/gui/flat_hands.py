@@ -26,16 +26,12 @@ def open_tab(obj):
 
 def click(tab, place):
     """A click at a place of the pieces [m], once the tab has its size."""
-    size = None
-    while size != tab.view.size():
-        size = tab.view.size()
-        hands.wait(0.1)
-    at = hands.QtCore.QPointF(tab.view.place_of(np.asarray(place)))
-    view = tab.view.viewport()
-    assert view.rect().contains(at.toPoint())
-    brush.mouse_at(view, Kind.MouseMove, at, Qt.NoButton, Qt.NoButton)
-    brush.mouse_at(view, Kind.MouseButtonPress, at)
-    brush.mouse_at(view, Kind.MouseButtonRelease, at, held=Qt.NoButton)
+    settled(tab)
+    there, view = at(tab, place), tab.view.viewport()
+    assert view.rect().contains(there.toPoint())
+    brush.mouse_at(view, Kind.MouseMove, there, Qt.NoButton, Qt.NoButton)
+    brush.mouse_at(view, Kind.MouseButtonPress, there)
+    brush.mouse_at(view, Kind.MouseButtonRelease, there, held=Qt.NoButton)
     hands.wait(0.05)
 
 

@@ -120,7 +120,10 @@ def laid_pieces(pieces: PatternPieces, kept: Arrangement) -> LaidPieces:
 
 def laid_at(pieces: PatternPieces, places: Sequence[PiecePlace]) -> PatternPieces:
     """Pieces, as the pattern lays them, taken to places of each."""
-    ways = [_Way(np.array(_middle(piece)), place) for piece, place in zip(pieces.pieces, places, strict=True)]
+    ways = [
+        _PieceMove(np.array(_middle(piece)), place)
+        for piece, place in zip(pieces.pieces, places, strict=True)
+    ]
     return PatternPieces(
         tuple(
             FlatPiece(piece.name, way.pattern(piece.pattern))
@@ -130,7 +133,7 @@ def laid_at(pieces: PatternPieces, places: Sequence[PiecePlace]) -> PatternPiece
     )
 
 
-class _Way:
+class _PieceMove:
     """How the points of a piece go from where the pattern lays it to its place."""
 
     def __init__(self, middle: Floats, place: PiecePlace):

@@ -13,16 +13,16 @@ from BalloonWorkbench.core.units import from_mm
 _SNAP = 8.0  # px within which a piece touches another one
 
 
-class Pull:
+class PullDrag:
     """The background under the mouse goes with it."""
 
     def __init__(self, view, at):
-        self._view, self._at = view, at
+        self._view, self._at = view, at.toPoint()
 
     def move(self, at, free: bool) -> None:
         """Go on to a point of the view; free: without snapping."""
-        self._view.pull(at - self._at)
-        self._at = at
+        self._view.pull(at.toPoint() - self._at)
+        self._at = at.toPoint()
 
     def end(self) -> None:
         """The button is up."""
@@ -54,7 +54,7 @@ class _PieceDrag:
         self.view.scene().lie(self.number, place)
 
 
-class Slide(_PieceDrag):
+class SlideDrag(_PieceDrag):
     """A piece goes with the mouse, and touches others that are near."""
 
     def __init__(self, view, number: int, at):
@@ -69,7 +69,7 @@ class Slide(_PieceDrag):
         self.show(self.first.moved(shift))
 
 
-class Nudge(_PieceDrag):
+class KeyDrag(_PieceDrag):
     """A piece is moved by keys until they are up."""
 
     def by(self, shift: np.ndarray) -> None:
@@ -80,7 +80,7 @@ class Nudge(_PieceDrag):
         """The mouse has no part in it."""
 
 
-class Turn(_PieceDrag):
+class TurnDrag(_PieceDrag):
     """A piece turns about its middle, and snaps to even angles, its grain and edges of others."""
 
     def __init__(self, view, number: int, at):

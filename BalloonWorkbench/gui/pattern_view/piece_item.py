@@ -61,11 +61,14 @@ class PieceItem(QtWidgets.QGraphicsItem):
         if self._rim is not None:
             self._rim.setVisible(on)
 
-    def show_picture(self, image, low: np.ndarray, high: np.ndarray) -> None:
-        """Lay a picture on the film: its lower left and upper right corner (2,) m where the pattern lies."""
-        corners = to_mm(np.array([low, high]) - self._middle)
-        (left, bottom), (right, top) = corners.tolist()
-        self._picture = image, QtCore.QRectF(left, bottom, right - left, top - bottom)
+    def show_picture(self, image, low: np.ndarray | None, high: np.ndarray | None) -> None:
+        """Lay a picture on the film, its lower left and upper right corner (2,) m where the pattern lies;
+        None: the film alone."""
+        self._picture = None
+        if image is not None:
+            (left, bottom), (right, top) = to_mm(np.array([low, high]) - self._middle).tolist()
+            # y is up, that of the picture is down
+            self._picture = image, QtCore.QRectF(left, -top, right - left, top - bottom)
         self.update()
 
     def boundingRect(self):
@@ -80,6 +83,7 @@ class PieceItem(QtWidgets.QGraphicsItem):
             painter.save()
             painter.setClipPath(self.film, QtCore.Qt.IntersectClip)
             painter.setRenderHint(QtGui.QPainter.SmoothPixmapTransform)
+            painter.scale(1.0, -1.0)
             painter.drawImage(where, image)
             painter.restore()
         painter.setBrush(QtCore.Qt.NoBrush)

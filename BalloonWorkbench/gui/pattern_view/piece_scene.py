@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
@@ -50,6 +50,11 @@ class PieceScene(QtWidgets.QGraphicsScene):
             self.film = self.film.united(item.sceneBoundingRect())
         room = max(self.film.width(), self.film.height())
         self.setSceneRect(self.film.adjusted(-room, -room, room, room))  # as far as it can be pulled
+
+    def show_pictures(self, pictures: Mapping[int, tuple]) -> None:
+        """Lay pictures on the pieces by their numbers: each a QImage and two corners, see `PieceItem`."""
+        for item in self.items_of_pieces:
+            item.show_picture(*pictures.get(item.number, (None, None, None)))
 
     def lie(self, number: int, place: PiecePlace) -> None:
         """Take a piece somewhere, while it is being dragged."""

@@ -11,7 +11,7 @@ from BalloonWorkbench.core.arrangement.arrangement import LaidPieces, PiecePlace
 from BalloonWorkbench.core.arrangement.snapping import STEP
 from BalloonWorkbench.core.pattern.pieces import PatternPieces
 from BalloonWorkbench.core.units import from_mm, to_mm
-from BalloonWorkbench.gui.pattern_view.drags import Nudge, Pull, Slide, Turn
+from BalloonWorkbench.gui.pattern_view.drags import KeyDrag, PullDrag, SlideDrag, TurnDrag
 from BalloonWorkbench.gui.pattern_view.piece_scene import HANDLE, HANDLE_AWAY, PieceScene
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, position
 from BalloonWorkbench.gui.window.zoom_keys import FIT, LARGER, PULL, SMALLER, OwnKeys, wheel_zoom
@@ -53,7 +53,7 @@ class PieceView(OwnKeys, QtWidgets.QGraphicsView):
         self.edge: int | None = None  # the one that is lit
         self._places: list[np.ndarray] = []  # of the measure
         self._held: QtCore.QPointF | None = None  # where a button went down
-        self._drag: Pull | Slide | Turn | Nudge | None = None
+        self._drag: PullDrag | SlideDrag | TurnDrag | KeyDrag | None = None
         self._middle = self._space = False
         self._fitted = True  # until it is zoomed or pulled
         self._whole = 1.0  # the zoom at which everything is seen
@@ -158,7 +158,7 @@ class PieceView(OwnKeys, QtWidgets.QGraphicsView):
     def pull(self, by) -> None:
         """Move the view by pixels."""
         for bar, pixels in ((self.horizontalScrollBar(), by.x()), (self.verticalScrollBar(), by.y())):
-            bar.setValue(bar.value() - round(pixels))
+            bar.setValue(bar.value() - pixels)
         self._fitted = False
 
     def resizeEvent(self, event):
@@ -204,17 +204,17 @@ class PieceView(OwnKeys, QtWidgets.QGraphicsView):
     def mouseDoubleClickEvent(self, event):
         self.mousePressEvent(event)
 
-    def _begun(self) -> Pull | Slide | Turn:
+    def _begun(self) -> PullDrag | SlideDrag | TurnDrag:
         """The drag that begins where the button went down."""
         pulls = self._middle or self._space or self.measuring or not self.movable
         if not pulls and self._on_handle(self._held):
-            return Turn(self, self.piece, self._held)
+            return TurnDrag(self, self.piece, self._held)
         number = None if pulls else self._piece_at(self._held)
         if number is None:
-            return Pull(self, self._held)
+            return PullDrag(self, self._held)
         if number != self.piece:
             self.chosen.emit(number)
-        return Slide(self, number, self._held)
+        return SlideDrag(self, number, self._held)
 
     def _show_cursor(self, at) -> None:
         if self.measuring:
@@ -327,12 +327,12 @@ class PieceView(OwnKeys, QtWidgets.QGraphicsView):
     def _nudge(self, by: np.ndarray) -> None:
         """Move the chosen piece a little; it is told of when the key comes up."""
         if self._drag is None:
-            self._drag = Nudge(self, self.piece)
-        if isinstance(self._drag, Nudge):
+            self._drag = KeyDrag(self, self.piece)
+        if isinstance(self._drag, KeyDrag):
             self._drag.by(by)
 
     def _end_nudge(self) -> None:
-        if isinstance(self._drag, Nudge):
+        if isinstance(self._drag, KeyDrag):
             drag, self._drag = self._drag, None
             drag.end()
 

@@ -10,12 +10,13 @@ import FreeCADGui as Gui
 
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.border.guard import Guarded
-from BalloonWorkbench.app.document.kinds import is_panel, is_pattern
+from BalloonWorkbench.app.document.kinds import is_artwork, is_panel, is_pattern
 from BalloonWorkbench.app.document.parts import panels_of
 from BalloonWorkbench.app.shapes import piece_places
 from BalloonWorkbench.core.arrangement.arrangement import LaidPieces
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.gui.pattern_view import arranging, texts
+from BalloonWorkbench.gui.pattern_view.looks import PieceLooks
 from BalloonWorkbench.gui.pattern_view.picks import Pick, pick_at
 from BalloonWorkbench.gui.pattern_view.piece_view import PieceView
 from BalloonWorkbench.gui.pattern_view.seam_lights import SeamLights
@@ -62,10 +63,12 @@ class PatternTab(QtWidgets.QWidget):
         self.view.setAccessibleName(translate("Flat pieces"))
         self.view.picked.connect(self.pick)
         self.view.chosen.connect(self.choose)
-        self.view.measured.connect(lambda places: self.tell(texts.measure_text(places)))
+        self.view.measured.connect(lambda places: self.say(texts.measure_text(places)))
         self.view.measuring_changed.connect(self._tell_tool)
         self.view.laid_out.connect(self._lay)
         self.view.undone.connect(self._undo)
+        self.looks = PieceLooks(self.view.scene())
+        self.looks.said.connect(self.say)
         self.line = QtWidgets.QLabel()
         self.line.setObjectName("PatternLine")
         self.line.setWordWrap(True)
@@ -74,7 +77,10 @@ class PatternTab(QtWidgets.QWidget):
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
         column.addWidget(self._bar())
-        column.addWidget(self.view, 1)
+        beside = QtWidgets.QHBoxLayout()
+        beside.addWidget(self.view, 1)
+        beside.addWidget(self.looks.legend)
+        column.addLayout(beside, 1)
         column.addWidget(self.line)
         self._kept = None  # the Arrangement in which the pieces are shown
         self._soon = QtCore.QTimer(self)
@@ -97,9 +103,10 @@ class PatternTab(QtWidgets.QWidget):
         self.reset.setToolTip(translate("Let all pieces lie as the pattern lays them"))
         self.reset.triggered.connect(lambda _checked=False: arranging.reset(self.obj))
         self.reset.setVisible(is_pattern(self.obj))
+        bar.addWidget(self.looks.list).setVisible(is_pattern(self.obj))
         return bar
 
-    def tell(self, text: str) -> None:
+    def say(self, text: str) -> None:
         """Say something in the line, also to those who do not see it."""
         self.line.setText(text)
         self.view.setAccessibleDescription(text)
@@ -128,9 +135,9 @@ class PatternTab(QtWidgets.QWidget):
         if laid is not None:
             self._show(laid)
         if problem:
-            self.tell(translated(problem))
+            self.say(translated(problem))
         elif laid is not None and (changes := texts.changes_text(laid)):
-            self.tell(changes)
+            self.say(changes)
         else:
             self._tell_what_is_picked()
 
@@ -143,6 +150,9 @@ class PatternTab(QtWidgets.QWidget):
             self.reset.setEnabled(bool(kept.places))
         if others and self.lights is not None:
             self.lights.clear()
+        if others:
+            self.looks.forget()
+        self.looks.follow(self.obj, laid.base)
 
     def leave(self) -> None:
         """The object is being deleted: the tab closes when FreeCAD is done with that."""
@@ -224,17 +234,17 @@ class PatternTab(QtWidgets.QWidget):
         if view.measuring or view.laid is None or view.piece is None:
             self._tell_tool(view.measuring)
         elif view.edge is not None:
-            self.tell(texts.edge_text(view.laid, view.edge, view.pieces.partner(view.edge)))
+            self.say(texts.edge_text(view.laid, view.edge, view.pieces.partner(view.edge)))
         else:
-            self.tell(texts.piece_text(view.laid, view.piece, view.grains[view.piece]))
+            self.say(texts.piece_text(view.laid, view.piece, view.grains[view.piece]))
 
     def _tell_tool(self, measuring: bool) -> None:
         if measuring:
-            self.tell(translate("Click two points to measure between them."))
+            self.say(translate("Click two points to measure between them."))
         elif is_pattern(self.obj):
-            self.tell(translate("Click an edge to see what it is sealed to, drag a piece to move it."))
+            self.say(translate("Click an edge to see what it is sealed to, drag a piece to move it."))
         else:
-            self.tell(translate("Click an edge to see what it is sealed to."))
+            self.say(translate("Click an edge to see what it is sealed to."))
 
 
 def _object_of(obj, number: int):
@@ -255,10 +265,18 @@ class _DocumentWatch(Guarded):
     def slotChangedObject(self, obj, name) -> None:
         for tab in _of(obj) if name in _TELLING else ():
             tab.changed()
+        self._print_changed(obj)
 
     def slotDeletedObject(self, obj) -> None:
         for tab in _of(obj):
             tab.leave()
+        self._print_changed(obj)
+
+    def _print_changed(self, obj) -> None:
+        for tab in _tabs if is_artwork(obj) else ():
+            if tab.obj is not None and obj.Pattern == tab.obj:
+                tab.looks.forget()
+                tab.changed()
 
     def slotDeletedDocument(self, document) -> None:
         for tab in [each for each in _tabs if each.obj is not None and each.obj.Document == document]:

@@ -72,9 +72,10 @@ def test_wheel_keys_and_drag_move_the_view(made):
     view, whole = tab.view, tab.view.zoom
     brush.key(view, Qt.Key_Plus, "+")
     assert view.zoom == pytest.approx(1.25 * whole)
-    before = view.mapToScene(200, 150)
-    hands.drag(view.viewport(), (200, 150), (260, 190))
-    after = view.mapToScene(260, 190)
+    beside = view.viewport().rect().bottomLeft() + hands.QtCore.QPoint(4, -4)
+    before = view.mapToScene(beside)
+    hands.drag(view.viewport(), (beside.x(), beside.y()), (beside.x() + 60, beside.y() - 40))
+    after = view.mapToScene(beside + hands.QtCore.QPoint(60, -40))
     assert (after.x(), after.y()) == pytest.approx((before.x(), before.y()), abs=2.0 / view.zoom)
     assert lit(tab) == 0  # that was no click
     brush.key(view, Qt.Key_0, "0")
