@@ -12,7 +12,7 @@ import numpy as np
 from BalloonWorkbench.core.geometry.polyline import bounds
 from BalloonWorkbench.core.geometry.vectors import rotation
 from BalloonWorkbench.core.pattern.layout import SPACING, in_rows
-from BalloonWorkbench.core.pattern.pattern import Contour, Pattern
+from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 from BalloonWorkbench.core.pattern.pieces import FlatPiece, PatternPieces
 from BalloonWorkbench.core.pattern.placement import reversed_points
 from BalloonWorkbench.core.types import Floats
@@ -130,6 +130,19 @@ def laid_at(pieces: PatternPieces, places: Sequence[PiecePlace]) -> PatternPiece
             for piece, way in zip(pieces.pieces, ways, strict=True)
         ),
         tuple(replace(edge, line=ways[edge.piece].points(edge.line)) for edge in pieces.edges),
+    )
+
+
+def as_one(pieces: PatternPieces) -> Pattern:
+    """All that is drawn on pieces as one pattern, whatever film they are of: for paper."""
+    contours = [replace(contour, stock="") for piece in pieces.pieces for contour in piece.pattern.contours]
+    ranks = {role: rank for rank, role in enumerate(Role)}
+    return replace(
+        pieces.pieces[0].pattern,
+        contours=tuple(sorted(contours, key=lambda contour: ranks[contour.role])),
+        intake=None,
+        more_intakes=(),
+        warnings=(),
     )
 
 

@@ -12,15 +12,18 @@ from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.border.guard import Guarded
 from BalloonWorkbench.app.document.kinds import is_artwork, is_panel, is_pattern
 from BalloonWorkbench.app.document.parts import panels_of
+from BalloonWorkbench.app.engine.export import print_pieces
 from BalloonWorkbench.app.shapes import piece_places
 from BalloonWorkbench.core.arrangement.arrangement import LaidPieces
 from BalloonWorkbench.core.errors import BalloonError
+from BalloonWorkbench.gui.paint.painting.lengths import is_imperial
 from BalloonWorkbench.gui.pattern_view import arranging, texts
 from BalloonWorkbench.gui.pattern_view.looks import PieceLooks
 from BalloonWorkbench.gui.pattern_view.picks import Pick, pick_at
 from BalloonWorkbench.gui.pattern_view.piece_view import PieceView
 from BalloonWorkbench.gui.pattern_view.seam_lights import SeamLights
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon, translate
+from BalloonWorkbench.gui.window.file_dialogs import ask_where_to_write
 from BalloonWorkbench.gui.window.selection import select_behind
 from BalloonWorkbench.gui.window.sentences import translated
 
@@ -103,8 +106,29 @@ class PatternTab(QtWidgets.QWidget):
         self.reset.setToolTip(translate("Let all pieces lie as the pattern lays them"))
         self.reset.triggered.connect(lambda _checked=False: arranging.reset(self.obj))
         self.reset.setVisible(is_pattern(self.obj))
+        printing = bar.addAction(translate("Print"))
+        printing.setObjectName("PrintPieces")
+        printing.setToolTip(translate("Write the pieces as they lie to a PDF, in real size on pages"))
+        printing.triggered.connect(lambda _checked=False: self._print())
         bar.addWidget(self.looks.list).setVisible(is_pattern(self.obj))
         return bar
+
+    def _print(self) -> None:
+        """Write the pieces as they lie to a PDF, in real size on pages that any printer takes."""
+        if self.obj is None:
+            return
+        try:
+            path = ask_where_to_write(
+                self, translate("Print the pieces"), self.obj.Document, "pieces", {"pdf": "PDF"}
+            )
+            if path is not None:
+                paper = "Letter" if is_imperial() else "A4"
+                print_pieces(self.obj, path, paper)
+                self.say(
+                    translate("Written to {}, in real size on {}: print it at 100 %.").format(path, paper)
+                )
+        except BalloonError as error:
+            self.say(translated(str(error)))
 
     def say(self, text: str) -> None:
         """Say something in the line, also to those who do not see it."""
