@@ -20,9 +20,8 @@ def of_shares(pattern, pieces, shares) -> dict:
     if assembly.mirror:
         (panel,) = assembly.panels
         flat, count = panel.rest_positions, len(panel.triangles)
-        front, back = (
-            flat_map(flat, panel.triangles, own) for own in (shares[:count], shares[count:][:, [0, 2, 1]])
-        )
+        below = shares[count:, ::-1]  # its triangles run the other way
+        front, back = (flat_map(flat, panel.triangles, own) for own in (shares[:count], below))
         return {0: front, 1: back.mirrored().moved(_back_shift(pattern, pieces))}
     counts = [len(panel.triangles) for panel in assembly.panels]
     own = np.split(shares, np.cumsum(counts)[:-1])
@@ -62,11 +61,11 @@ def _bag_patterns(pattern):
     return bag_patterns(pattern)
 
 
-def _dpi(wanted: float, area: float) -> float:
+def _dpi(resolution: float, area: float) -> float:
     """Dots per inch with which films of that area [m2] have no more pixels than can be drawn quickly."""
     from BalloonWorkbench.core.units import INCH
 
-    return max(20.0, min(wanted, _DPI, INCH * (_PIXELS / area) ** 0.5))
+    return max(20.0, min(resolution, _DPI, INCH * (_PIXELS / area) ** 0.5))
 
 
 def _back_shift(pattern, pieces):

@@ -45,7 +45,7 @@ def flat_map(points: Floats, triangles: Ints, shares: Floats) -> FlatPicture:
     `ColourMap`. Transparent beside the triangles."""
     low, high = bounds(points)
     pixel = float(np.max(high - low)) / _PIXELS
-    width, height = (max(2, int(np.ceil(size / pixel))) for size in (high - low).tolist())
+    width, height = (max(2, int(np.ceil(size / pixel - 1e-6))) for size in (high - low).tolist())
     x, y = (start + pixel * (0.5 + np.arange(count)) for start, count in zip(low, (width, height)))
     pixels = np.zeros((height, width, 4), dtype=np.uint8)
     for cover in covered(points, triangles, x, y):

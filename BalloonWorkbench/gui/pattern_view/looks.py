@@ -17,7 +17,7 @@ from BalloonWorkbench.gui.view3d.film_map import FLAT_CHOICES, choice_title, fil
 from BalloonWorkbench.gui.view3d.legend import drawn
 from BalloonWorkbench.gui.window.sentences import translated
 
-FILM, PRINT = "Film", "Print"
+FILM, ARTWORK = "Film", "Artwork"
 
 
 class PieceLooks(QtCore.QObject):
@@ -65,7 +65,7 @@ class PieceLooks(QtCore.QObject):
         balloon, offered = self._obj.Balloon, [FILM]
         artwork = of_balloon(balloon)
         if artwork is not None and artwork.Pattern == self._obj and status.is_ready(artwork):
-            offered.append(PRINT)
+            offered.append(ARTWORK)
         return [*offered, *(FLAT_CHOICES if film_result.is_known(balloon) else [])]
 
     def _show(self) -> None:
@@ -79,7 +79,7 @@ class PieceLooks(QtCore.QObject):
         self._shown = key
         pictures, legend = {}, None
         try:
-            if choice == PRINT:
+            if choice == ARTWORK:
                 pictures = piece_pictures.of_print(of_balloon(balloon), self._pieces)
             elif choice != FILM:
                 shown = film_colours(balloon, choice)
@@ -103,7 +103,7 @@ class PieceLooks(QtCore.QObject):
 def _title(choice: str) -> str:
     if choice == FILM:
         return translate("Film")
-    return translate("Print") if choice == PRINT else choice_title(choice)
+    return translate("Artwork") if choice == ARTWORK else choice_title(choice)
 
 
 def _image(pixels: np.ndarray):
