@@ -18,6 +18,7 @@ from pathlib import Path
 
 import FreeCAD as App
 import FreeCADGui as Gui
+import numpy as np
 from PySide import QtCore
 
 sys.path[:0] = ["tests/gui", "tools"]
@@ -106,23 +107,28 @@ def _measure() -> dict:
     paints = _Paints(view.viewport())
     measured = {"size": [view.width(), view.height()], "points": points}
     hands.screenshot("pattern-pulls")
-    film = QtCore.QPointF(
-        view.place_of(
-            view.pieces.pieces[30].pattern.bounds[0] * 0.5 + view.pieces.pieces[30].pattern.bounds[1] * 0.5
-        )
-    )
     beside = QtCore.QPointF(5.0, 5.0)
     _dragged(view, paints, beside, Qt.MiddleButton)
-    for name, zoom in (("whole", 1.0), ("twice as large", 2.0), ("eight times", 8.0)):
-        view.fit()
-        view.zoom_by(zoom, film)
-        hands.wait(0.3)
-        measured[f"pull, {name}"] = _figures(_dragged(view, paints, film, Qt.MiddleButton))
-        measured[f"piece, {name}"] = _figures(_dragged(view, paints, film, Qt.LeftButton))
+    for look in ("Film", "Tension"):
+        begun = time.perf_counter()
+        tab.looks.list.setCurrentIndex(tab.looks.list.findData(look))
+        measured[f"{look} to be seen"] = round(1e3 * (time.perf_counter() - begun), 1)
+        for name, zoom in (("whole", 1.0), ("twice as large", 2.0), ("eight times", 8.0)):
+            view.fit()
+            hands.wait(0.3)
+            film = QtCore.QPointF(view.place_of(np.array(view.laid.places[30].middle)))
+            view.zoom_by(zoom, film)
+            hands.wait(0.3)
+            measured[f"{look}, pull, {name}"] = _figures(_dragged(view, paints, film, Qt.MiddleButton))
+            measured[f"{look}, piece, {name}"] = _figures(_dragged(view, paints, film, Qt.LeftButton))
     view.fit()
     edge = view.pieces.edges[70]
     begun = time.perf_counter()
     tab.pick(70)
+    _on_screen(view, paints)
+    measured["first pick"] = round(1e3 * (time.perf_counter() - begun), 1)
+    begun = time.perf_counter()
+    tab.pick(31)
     _on_screen(view, paints)
     measured["pick"] = round(1e3 * (time.perf_counter() - begun), 1)
     begun = time.perf_counter()

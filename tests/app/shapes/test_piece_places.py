@@ -56,11 +56,16 @@ def test_it_decides_nothing_of_what_is_cut(pattern, tmp_path):
     assert pattern.Shape.BoundBox.DiagonalLength == pytest.approx(before)
 
 
-def test_another_drawing_keeps_front_and_back_apart(pattern):
+def test_a_larger_drawing_keeps_front_and_back_apart(doc, tmp_path):
+    drawing = tmp_path / "rectangle.svg"
+    drawing.write_text(
+        '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 90 60"><path d="M0 0h90v60h-90z"/></svg>'
+    )
+    made = create.balloon_from_picture(doc, drawing, width="90 mm", mesh_size=15, correct=False)
+    pattern = made.pattern
     BalloonWorkbench.arrange(pattern, "front", at=(0, 0), angle=90)
     BalloonWorkbench.arrange(pattern, "back", at=(80, 0), angle=90)
-    pattern.Balloon.Outline.Width = "180 mm"
-    pattern.Document.recompute()
+    BalloonWorkbench.change(made, width="180 mm")
     laid = piece_places.laid(pattern)
     assert not laid.gone
     grown = np.array(laid.places[1].middle) - laid.places[0].middle
