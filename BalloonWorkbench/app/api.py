@@ -23,6 +23,7 @@ from BalloonWorkbench.app.document.parts import Parts, panels_of, parts_of
 from BalloonWorkbench.app.engine import advice, repairs
 from BalloonWorkbench.app.engine import export as writer
 from BalloonWorkbench.app.properties import values
+from BalloonWorkbench.app.shapes import piece_places
 from BalloonWorkbench.core import faults
 from BalloonWorkbench.core.errors import BalloonError, InputError
 
@@ -232,6 +233,16 @@ def artwork(pattern_obj, **options):
     values.assign_to(made, prints.PROPERTIES, options)
     made.Document.recompute()
     return made
+
+
+@_bordered
+def arrange(pattern_obj, piece=None, at=(0.0, 0.0), angle=0.0, mirrored=False) -> None:
+    """Lay a flat piece in the pattern view, its middle at (x, y) mm; without one all lie as they are made.
+
+    angle  in degrees. Raises InputError where there is no such piece.
+    """
+    if not _done:
+        piece_places.lay(pattern_obj, piece, at, angle, mirrored)
 
 
 @_bordered

@@ -138,10 +138,10 @@ def sheets(obj, dpi: float | None = None):
     Of many panels both are the same. Raises ExportError when the object is not up to date, else what the
     core's artwork raises.
     """
-    return _printing(obj, obj.Resolution if dpi is None else dpi)()
+    return printing(obj, obj.Resolution if dpi is None else dpi)()
 
 
-def _printing(obj, dpi: float):
+def printing(obj, dpi: float):
     """A function that makes the sheets and does not touch the document: any thread may call it."""
     from BalloonWorkbench.app.engine import film_result
     from BalloonWorkbench.core.artwork.sheet import Print, artwork_sheets
@@ -178,13 +178,13 @@ def write(obj, folder, machine_names=("any-dxf", "any-svg")) -> list[Path]:
     from BalloonWorkbench.core.machines.machine import machine
     from BalloonWorkbench.core.machines.machine_file import checked_files
 
-    printing, many = _printing(obj, obj.Resolution), has_many_panels(obj.Pattern.Balloon)
+    make, many = printing(obj, obj.Resolution), has_many_panels(obj.Pattern.Balloon)
     machines = [machine(name) for name in dict.fromkeys((*machine_names, obj.MarksFor.strip())) if name]
     shops = {each.file_name for each in machines if each.spots}  # they have print and cut in one
     doubts: list[str] = []
 
     def made(_progress) -> dict[str, bytes]:
-        sides = dict(zip(("artwork-front", "artwork-back"), printing()))
+        sides = dict(zip(("artwork-front", "artwork-back"), make()))
         if many:
             sides = {"artwork": sides["artwork-front"]}
         contents, _ = sheet_files(sides, machines)

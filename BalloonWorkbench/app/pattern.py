@@ -21,7 +21,7 @@ from BalloonWorkbench.app.properties.property_table import (
     with_switches,
     write_options,
 )
-from BalloonWorkbench.app.shapes import pattern_shape
+from BalloonWorkbench.app.shapes import pattern_shape, piece_places
 from BalloonWorkbench.app.shapes.pattern_shape import DIRECTION, PLACE
 from BalloonWorkbench.core.options.pattern import FARTHEST, PatternOptions
 
@@ -78,6 +78,7 @@ PROPERTIES = (
     result("StringList", "Roles", "What to do along each wire of the shape"),
     result("StringList", "Warnings", "Remarks made while the pattern was drawn"),
     result("String", "Status", "Up to date, or what is wrong"),
+    *piece_places.PROPERTIES,
     *arrange.PROPERTIES,
 )
 #: What balloons of many panels alone have.

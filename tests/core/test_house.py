@@ -40,7 +40,7 @@ QT = {"PySide", "PySide2", "PySide6", "PyQt5", "PyQt6", "shiboken2", "shiboken6"
 ROOMS = ["geometry", "files", "options", "pages", "language", "arcs", "outline", "tracing", "readers", "film"]
 ROOMS += ["panels", "mesh", "bags", "bodies", "targets", "segmentation", "seam_edits", "flattening"]
 ROOMS += ["solver", "design", "correction", "bag_design", "target_design", "results"]
-ROOMS += ["pattern", "bag_pattern", "nesting", "making", "tolerances"]
+ROOMS += ["pattern", "arrangement", "bag_pattern", "nesting", "making", "tolerances"]
 ROOMS += ["machines", "pictures", "artwork", "scenes", "assembly_sheet", "advice", "reports", "web_pages"]
 ROOMS += ["as_made", "studies"]
 

@@ -35,12 +35,12 @@ def is_closed():
     return not paint_window._open
 
 
-def mouse_at(widget, kind, at, button=Qt.LeftButton, held=Qt.LeftButton):
+def mouse_at(widget, kind, at, button=Qt.LeftButton, held=Qt.LeftButton, modifiers=Qt.NoModifier):
     """One mouse event, given to FreeCAD's window: it finds the widget under the pointer."""
     top = widget.window()
     there = hands.QtCore.QPointF(widget.mapToGlobal(at.toPoint()))
     inside = hands.QtCore.QPointF(top.mapFromGlobal(there.toPoint()))
-    event = hands.QtGui.QMouseEvent(kind, inside, inside, there, button, held, Qt.NoModifier)
+    event = hands.QtGui.QMouseEvent(kind, inside, inside, there, button, held, modifiers)
     hands.QtWidgets.QApplication.sendEvent(top.windowHandle(), event)
 
 

@@ -164,6 +164,28 @@ def _files(name: str, part, made_for, how: tuple, doubts) -> dict[str, bytes]:
     }
 
 
+def print_pieces(obj, target, paper: str) -> Path:
+    """Write the flat pieces of a pattern as they lie in the pattern view, in real size on pages of "A4", "A3"
+    or "Letter", to a PDF; returns the file. Of a sheet of film they lie as it has them.
+
+    Raises ExportError for an object that is not up to date, a place that cannot be written.
+    """
+    from BalloonWorkbench.app.border import hooks
+    from BalloonWorkbench.app.shapes import piece_places
+    from BalloonWorkbench.core.arrangement.arrangement import as_one
+    from BalloonWorkbench.core.files.write import write_files
+    from BalloonWorkbench.core.machines.machine import machine
+    from BalloonWorkbench.core.machines.machine_file import machine_file
+
+    path, pattern, made_for = Path(target), as_one(piece_places.laid(obj).pieces), machine("paper")
+
+    def content(_progress) -> bytes:
+        return machine_file(pattern, made_for, paper, hooks.say)
+
+    write_files(path.parent, {path.name: hooks.run_blocking(f"Writing {path.name}", content)})
+    return path
+
+
 def export_results(balloon_obj, target) -> Path:
     """Write what the film does in every triangle to a .vtu (ParaView) or .npz file (NumPy), or the closed
     mesh to an .stl file; returns it.

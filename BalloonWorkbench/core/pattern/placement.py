@@ -29,7 +29,7 @@ def back_of(pattern: Pattern) -> Pattern:
     def laid(contour: Contour) -> Contour:
         if contour.role is Role.ENGRAVE:
             return replace(contour, points=contour.points + beside)
-        return replace(contour, points=_reversed(contour, contour.points * flip))
+        return replace(contour, points=reversed_points(contour, contour.points * flip))
 
     return replace(
         pattern,
@@ -41,7 +41,7 @@ def back_of(pattern: Pattern) -> Pattern:
     )
 
 
-def _reversed(contour: Contour, points: Floats) -> Floats:
+def reversed_points(contour: Contour, points: Floats) -> Floats:
     """Run through the other way; a closed one from the same point on."""
     return np.concatenate([points[:1], points[:0:-1]]) if contour.closed else points[::-1]
 

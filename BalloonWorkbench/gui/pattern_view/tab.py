@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import math
 from functools import partial
 
 import FreeCAD as App
@@ -11,30 +10,36 @@ import FreeCADGui as Gui
 
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.border.guard import Guarded
-from BalloonWorkbench.app.document.kinds import is_pattern
+from BalloonWorkbench.app.document.kinds import is_artwork, is_panel, is_pattern
 from BalloonWorkbench.app.document.parts import panels_of
-from BalloonWorkbench.app.engine.cut_sheet import pieces
+from BalloonWorkbench.app.engine.export import print_pieces
+from BalloonWorkbench.app.shapes import piece_places
+from BalloonWorkbench.core.arrangement.arrangement import LaidPieces
 from BalloonWorkbench.core.errors import BalloonError
-from BalloonWorkbench.core.geometry.polyline import length
-from BalloonWorkbench.core.units import to_mm
+from BalloonWorkbench.gui.paint.painting.lengths import is_imperial
+from BalloonWorkbench.gui.pattern_view import arranging, texts
+from BalloonWorkbench.gui.pattern_view.looks import PieceLooks
+from BalloonWorkbench.gui.pattern_view.picks import Pick, pick_at
 from BalloonWorkbench.gui.pattern_view.piece_view import PieceView
+from BalloonWorkbench.gui.pattern_view.seam_lights import SeamLights
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon, translate
+from BalloonWorkbench.gui.window.file_dialogs import ask_where_to_write
 from BalloonWorkbench.gui.window.selection import select_behind
 from BalloonWorkbench.gui.window.sentences import translated
-from BalloonWorkbench.gui.window.user_units import length_text
 
-#: What has changed when the pieces have, or what is said of them.
-_TELLING = ("Shape", "Status", "Label")
+#: What has changed when the pieces have or lie elsewhere, or what is said of them.
+_TELLING = ("Shape", "Status", "Label", *piece_places.NAMES)
 _PATIENCE = 100  # ms between two looks at a document that is being recomputed
 _tabs: list[PatternTab] = []
-_watching: list[_DocumentWatch] = []
+_watching: list = []
 
 
 def open_tab(obj) -> PatternTab:
     """The tab of a pattern or a sheet of film, in front; made where there is none."""
     if not _watching:
-        _watching.append(_DocumentWatch())
+        _watching.extend((_DocumentWatch(), _PickWatch()))
         App.addDocumentObserver(_watching[0])
+        Gui.Selection.addObserver(_watching[1])
     area = Gui.getMainWindow().findChild(QtWidgets.QMdiArea)
     tab = next((each for each in _tabs if each.obj == obj), None)
     if tab is None:
@@ -56,10 +61,17 @@ class PatternTab(QtWidgets.QWidget):
         super().__init__()
         self.setObjectName("PatternTab")
         self.obj = obj  # None: it is gone
+        self.lights = SeamLights(obj) if is_pattern(obj) else None
         self.view = PieceView()
+        self.view.setAccessibleName(translate("Flat pieces"))
         self.view.picked.connect(self.pick)
-        self.view.measured.connect(self._tell_measure)
+        self.view.chosen.connect(self.choose)
+        self.view.measured.connect(lambda places: self.say(texts.measure_text(places)))
         self.view.measuring_changed.connect(self._tell_tool)
+        self.view.laid_out.connect(self._lay)
+        self.view.undone.connect(self._undo)
+        self.looks = PieceLooks(self.view.scene())
+        self.looks.said.connect(self.say)
         self.line = QtWidgets.QLabel()
         self.line.setObjectName("PatternLine")
         self.line.setWordWrap(True)
@@ -68,8 +80,12 @@ class PatternTab(QtWidgets.QWidget):
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
         column.addWidget(self._bar())
-        column.addWidget(self.view, 1)
+        beside = QtWidgets.QHBoxLayout()
+        beside.addWidget(self.view, 1)
+        beside.addWidget(self.looks.legend)
+        column.addLayout(beside, 1)
         column.addWidget(self.line)
+        self._kept = None  # the Arrangement in which the pieces are shown
         self._soon = QtCore.QTimer(self)
         self._soon.setSingleShot(True)
         self._soon.timeout.connect(self.follow)
@@ -85,7 +101,39 @@ class PatternTab(QtWidgets.QWidget):
         self.measuring.setCheckable(True)
         self.measuring.toggled.connect(self.view.set_measuring)
         self.view.measuring_changed.connect(self.measuring.setChecked)
+        self.reset = bar.addAction(translate("Lay out anew"))
+        self.reset.setObjectName("ResetPieces")
+        self.reset.setToolTip(translate("Let all pieces lie as the pattern lays them"))
+        self.reset.triggered.connect(lambda _checked=False: arranging.reset(self.obj))
+        self.reset.setVisible(is_pattern(self.obj))
+        printing = bar.addAction(translate("Print"))
+        printing.setObjectName("PrintPieces")
+        printing.setToolTip(translate("Write the pieces as they lie to a PDF, in real size on pages"))
+        printing.triggered.connect(lambda _checked=False: self._print())
+        bar.addWidget(self.looks.list).setVisible(is_pattern(self.obj))
         return bar
+
+    def _print(self) -> None:
+        """Write the pieces as they lie to a PDF, in real size on pages that any printer takes."""
+        if self.obj is None:
+            return
+        try:
+            path = ask_where_to_write(
+                self, translate("Print the pieces"), self.obj.Document, "pieces", {"pdf": "PDF"}
+            )
+            if path is not None:
+                paper = "Letter" if is_imperial() else "A4"
+                print_pieces(self.obj, path, paper)
+                self.say(
+                    translate("Written to {}, in real size on {}: print it at 100 %.").format(path, paper)
+                )
+        except BalloonError as error:
+            self.say(translated(str(error)))
+
+    def say(self, text: str) -> None:
+        """Say something in the line, also to those who do not see it."""
+        self.line.setText(text)
+        self.view.setAccessibleDescription(text)
 
     # the document
 
@@ -103,72 +151,124 @@ class PatternTab(QtWidgets.QWidget):
         self.setWindowTitle(translate("{}: {}, flat").format(self.obj.Document.Label, self.obj.Label))
         problem = status.problem(self.obj)
         try:
-            drawn = None if problem else pieces(self.obj)
+            laid = None if problem else piece_places.laid(self.obj)
         except BalloonError as error:
-            drawn, problem = None, str(error)
+            laid, problem = None, str(error)
         if self.obj is None:
             return  # deleted while they were drawn
-        if drawn is not None and drawn is not self.view.pieces:
-            self.view.show_pieces(drawn)
+        if laid is not None:
+            self._show(laid)
         if problem:
-            self.line.setText(translated(problem))
+            self.say(translated(problem))
+        elif laid is not None and (changes := texts.changes_text(laid)):
+            self.say(changes)
         else:
-            self._tell_tool(self.view.measuring)
+            self._tell_what_is_picked()
+
+    def _show(self, laid: LaidPieces) -> None:
+        kept = piece_places.kept(self.obj)
+        others = self.view.laid is None or laid.base is not self.view.laid.base
+        if others or kept != self._kept:
+            self._kept = kept
+            self.view.show_pieces(laid, arranging.grains(self.obj, laid), is_pattern(self.obj))
+            self.reset.setEnabled(bool(kept.places))
+        if others and self.lights is not None:
+            self.lights.clear()
+        if others:
+            self.looks.forget()
+        self.looks.follow(self.obj, laid.base)
 
     def leave(self) -> None:
         """The object is being deleted: the tab closes when FreeCAD is done with that."""
+        if self.lights is not None:
+            self.lights.clear()
         self.obj = None
         self._soon.stop()
         QtCore.QTimer.singleShot(0, partial(_close, self))
 
     def closeEvent(self, event):
+        if self.lights is not None and self.obj is not None:
+            self.lights.clear()
         self.obj = None
         if self in _tabs:
             _tabs.remove(self)
         super().closeEvent(event)
 
-    # what is picked and measured
+    # what is picked, laid and measured
 
     def pick(self, number: int | None) -> None:
-        """Light an edge and its partner, and tell of them; None: nothing.
+        """Light an edge, its partner and their place on the balloon, and tell of them; None: nothing."""
+        if self._light(number):
+            self._select()
 
-        In the active document the piece is selected too: in others FreeCAD would show their 3D view.
-        """
-        if self.obj is None or self.view.pieces is None:
+    def choose(self, number: int) -> None:
+        """Choose a piece, for keys and the handle."""
+        if self._choose(number):
+            self._select()
+
+    def meant(self, pick: Pick) -> None:
+        """Something is picked in the 3D view: the same is shown here."""
+        if self.view.laid is None or not is_pattern(self.obj):
             return
-        if number is None:
-            self.view.scene().light([])
-            self._tell_tool(self.view.measuring)
-            return
-        partner = self.view.pieces.partner(number)
-        self.view.scene().light([number] if partner is None else [number, partner])
-        self.line.setText(self._text_of(number, partner))
+        edge, piece = pick_at(self.obj, self.view.laid.base, self.lights, pick)
+        if edge is not None:
+            self._light(edge)
+        elif piece is not None:
+            self._choose(piece)
+
+    def _light(self, number: int | None) -> bool:
+        if self.obj is None or self.view.laid is None:
+            return False
+        if self.lights is not None:
+            self.lights.clear()
+        partner = None if number is None else self.view.pieces.partner(number)
+        self.view.light([each for each in (number, partner) if each is not None])
+        self.view.choose(None if number is None else self.view.pieces.edges[number].piece)
+        if number is not None and self.lights is not None:
+            self.lights.show(self.view.laid.base, number)
+        self._tell_what_is_picked()
+        return number is not None
+
+    def _choose(self, number: int) -> bool:
+        if not self._light(None) and self.view.laid is None:
+            return False
+        self.view.choose(number)
+        self._tell_what_is_picked()
+        return True
+
+    def _select(self) -> None:
+        """Select the piece in FreeCAD, in the active document: in others it would show their 3D view."""
         if self.obj.Document == App.ActiveDocument:
-            select_behind(_object_of(self.obj, self.view.pieces.edges[number].piece + 1))
+            _PickWatch.own = True
+            select_behind(_object_of(self.obj, self.view.piece + 1))
+            _PickWatch.own = False
 
-    def _text_of(self, number: int, partner: int | None) -> str:
-        own = self._named(number)
-        if partner is not None:
-            seam = self.view.pieces.edges[number].seam
-            return translate("Seam {}: {}; {}").format(seam, own, self._named(partner))
-        seam = self.view.pieces.edges[number].seam
-        return translate("Open edge: {}").format(own) if seam else translate("Weld: {}").format(own)
+    def _lay(self, number: int, place) -> None:
+        if self.obj is not None and arranging.lay(self.obj, self.view.laid, number, place):
+            self.follow()
+        else:
+            self.view.show_pieces(self.view.laid, self.view.grains, self.view.movable)
 
-    def _named(self, number: int) -> str:
-        edge = self.view.pieces.edges[number]
-        name = translated(self.view.pieces.pieces[edge.piece].name)
-        return f"{name}, {length_text(to_mm(length(edge.line)))}"
+    def _undo(self, back: bool) -> None:
+        if self.obj is not None:
+            arranging.undo(self.obj.Document, back)
 
-    def _tell_measure(self, places) -> None:
-        across, up = to_mm(abs(places[1] - places[0])).tolist()
-        texts = map(length_text, (math.hypot(across, up), across, up))
-        self.line.setText(translate("Distance {}, across {}, up {}").format(*texts))
+    def _tell_what_is_picked(self) -> None:
+        view = self.view
+        if view.measuring or view.laid is None or view.piece is None:
+            self._tell_tool(view.measuring)
+        elif view.edge is not None:
+            self.say(texts.edge_text(view.laid, view.edge, view.pieces.partner(view.edge)))
+        else:
+            self.say(texts.piece_text(view.laid, view.piece, view.grains[view.piece]))
 
     def _tell_tool(self, measuring: bool) -> None:
         if measuring:
-            self.line.setText(translate("Click two points to measure between them."))
+            self.say(translate("Click two points to measure between them."))
+        elif is_pattern(self.obj):
+            self.say(translate("Click an edge to see what it is sealed to, drag a piece to move it."))
         else:
-            self.line.setText(translate("Click an edge to see what it is sealed to."))
+            self.say(translate("Click an edge to see what it is sealed to."))
 
 
 def _object_of(obj, number: int):
@@ -189,14 +289,37 @@ class _DocumentWatch(Guarded):
     def slotChangedObject(self, obj, name) -> None:
         for tab in _of(obj) if name in _TELLING else ():
             tab.changed()
+        self._print_changed(obj)
 
     def slotDeletedObject(self, obj) -> None:
         for tab in _of(obj):
             tab.leave()
+        self._print_changed(obj)
+
+    def _print_changed(self, obj) -> None:
+        for tab in _tabs if is_artwork(obj) else ():
+            if tab.obj is not None and obj.Pattern == tab.obj:
+                tab.looks.forget()
+                tab.changed()
 
     def slotDeletedDocument(self, document) -> None:
         for tab in [each for each in _tabs if each.obj is not None and each.obj.Document == document]:
             tab.leave()
+
+
+class _PickWatch(Guarded):
+    """Told by FreeCAD what is picked in the 3D view."""
+
+    own = False  # a tab selects what was picked in it
+
+    def addSelection(self, document, name, element="", place=(0.0, 0.0, 0.0)) -> None:
+        if _PickWatch.own or not _tabs:
+            return
+        obj = App.getDocument(document).getObject(name)
+        for tab in [each for each in _tabs if each.obj is not None and obj is not None]:
+            owner = obj.Pattern if is_panel(obj) else obj
+            if owner in (tab.obj, getattr(tab.obj, "Balloon", None)):
+                tab.meant(Pick(obj, element, tuple(place)))
 
 
 def _of(obj) -> list[PatternTab]:

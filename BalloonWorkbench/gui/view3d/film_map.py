@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -34,9 +34,20 @@ _TITLES = {
     colour_map.RESIDUAL: QT_TRANSLATE_NOOP("BalloonWorkbench", "Silhouette off the drawing"),
     colour_map.DISTANCE: QT_TRANSLATE_NOOP("BalloonWorkbench", "Distance from profile, drawing or body"),
 }
+#: Those of the film itself, which its flat panels have as well.
+FLAT_CHOICES = [colour_map.TENSION, colour_map.WRINKLES, colour_map.STATE, colour_map.STRAIN]
 _COLOURS = 256  # of the scale, as a texture
 _LINE = 5.0  # px, of the silhouette
 _GREY = (0.72, 0.74, 0.77)
+
+
+@dataclass(frozen=True)
+class FilmColours:
+    """A result as colours, its legend, and what is written at its largest value."""
+
+    map: colour_map.ColourMap
+    legend: Legend
+    largest: str
 
 
 def choice_title(choice: str) -> str:
@@ -73,6 +84,23 @@ def map_nodes(obj, kind: str) -> list:
         return [_film(SkinNodes(skin), [_matt(coin, _GREY)]), legend_node(obj, legend, TOP)]
     if kind == colour_map.RESIDUAL:
         return _residual_nodes(obj, inflation, skin)
+    shown = _film_colours(obj, inflation, film, film_results, kind)
+    nodes = [
+        _film(SkinNodes(skin, shown.map.shares), _scale_nodes()),
+        legend_node(obj, shown.legend, TOP),
+    ]
+    if shown.map.place is not None:
+        nodes.append(label_node(shown.map.place, shown.largest))
+    return nodes
+
+
+def film_colours(obj, kind: str) -> FilmColours:
+    """One of FLAT_CHOICES of a balloon that has a result, with its legend. Raises BalloonError."""
+    inflation, film = film_result.stored(obj)
+    return _film_colours(obj, inflation, film, results(inflation, film), kind)
+
+
+def _film_colours(obj, inflation, film, film_results: Results, kind: str) -> FilmColours:
     drawn_map = colour_map.film_map(film_results, kind)
     safe = maker.safety_of(obj) if kind == colour_map.TENSION else None
     if safe is not None:  # single triangles say more of the mesh than of the film
@@ -85,11 +113,8 @@ def map_nodes(obj, kind: str) -> list:
         _notes(safe, drawn_map, factor, unit),
         warnings_of(obj),
     )
-    nodes = [_film(SkinNodes(skin, drawn_map.shares), _scale_nodes()), legend_node(obj, legend, TOP)]
-    if drawn_map.place is not None:
-        name = f"{translated(safe.weakest)} " if safe is not None and safe.weakest else ""
-        nodes.append(label_node(drawn_map.place, f"{name}{number_text(drawn_map.largest * factor)} {unit}"))
-    return nodes
+    name = f"{translated(safe.weakest)} " if safe is not None and safe.weakest else ""
+    return FilmColours(drawn_map, legend, f"{name}{number_text(drawn_map.largest * factor)} {unit}")
 
 
 def _missing(obj, film_results: Results, kind: str) -> str:

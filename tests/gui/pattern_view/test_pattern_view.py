@@ -7,6 +7,7 @@ import FreeCADGui as Gui
 import hands
 import numpy as np
 import pytest
+from flat_hands import click, lit, middle, open_tab
 
 from BalloonWorkbench.app import film_sheet
 from BalloonWorkbench.app.border import status
@@ -20,41 +21,6 @@ Kind, Qt = hands.QtCore.QEvent, hands.QtCore.Qt
 def box(doc):
     """A ready box of few triangles: six panels, twelve seams."""
     return create.balloon_from_panels(doc, "Box", mesh_size="30 mm")
-
-
-def open_tab(obj):
-    App.setActiveDocument(obj.Document.Name)
-    Gui.Selection.clearSelection()
-    Gui.Selection.addSelection(obj)
-    hands.wait(0.3)  # from FreeCAD 1.0 on that brings the 3D view to the front
-    Gui.runCommand("BalloonWorkbench_PatternView")
-    (tab,) = [each for each in tabs._tabs if each.obj.Document == obj.Document]
-    hands.wait_until(lambda: tab.isVisible() and tab.parentWidget().isMaximized(), 5)
-    hands.wait(0.3)  # it has its size
-    return tab
-
-
-def click(tab, place):
-    """A click at a place of the pieces [m], once the tab has its size."""
-    size = None
-    while size != tab.view.size():
-        size = tab.view.size()
-        hands.wait(0.1)
-    at = hands.QtCore.QPointF(tab.view.place_of(np.asarray(place)))
-    view = tab.view.viewport()
-    assert view.rect().contains(at.toPoint())
-    brush.mouse_at(view, Kind.MouseMove, at, Qt.NoButton, Qt.NoButton)
-    brush.mouse_at(view, Kind.MouseButtonPress, at)
-    brush.mouse_at(view, Kind.MouseButtonRelease, at, held=Qt.NoButton)
-    hands.wait(0.05)
-
-
-def middle(edge):
-    return 0.5 * (edge.line[0] + edge.line[-1])
-
-
-def lit(tab):
-    return len(tab.view.scene()._lit)
 
 
 def closed():
@@ -106,9 +72,10 @@ def test_wheel_keys_and_drag_move_the_view(made):
     view, whole = tab.view, tab.view.zoom
     brush.key(view, Qt.Key_Plus, "+")
     assert view.zoom == pytest.approx(1.25 * whole)
-    before = view.mapToScene(200, 150)
-    hands.drag(view.viewport(), (200, 150), (260, 190))
-    after = view.mapToScene(260, 190)
+    beside = view.viewport().rect().bottomLeft() + hands.QtCore.QPoint(4, -4)
+    before = view.mapToScene(beside)
+    hands.drag(view.viewport(), (beside.x(), beside.y()), (beside.x() + 60, beside.y() - 40))
+    after = view.mapToScene(beside + hands.QtCore.QPoint(60, -40))
     assert (after.x(), after.y()) == pytest.approx((before.x(), before.y()), abs=2.0 / view.zoom)
     assert lit(tab) == 0  # that was no click
     brush.key(view, Qt.Key_0, "0")
