@@ -5,13 +5,16 @@ In FreeCAD the functions of the Python API are here: BalloonWorkbench.from_pictu
 """
 
 _RELEASE = {"__version__": "VERSION", "__date__": "DATE"}
-_API = (
+_BALLOONS = (
     *("from_picture", "from_sketch", "from_profile", "from_panels", "from_body"),
     *("parts", "panels", "change", "inflate", "findings", "repair"),
-    *("export", "tool_paths", "artwork", "arrange", "sketch"),
-    *("nest", "keep_remnant", "assembly_sheet", "share"),
-    *("study", "test_card", "keep_field", "compare", "fit_film"),
 )
+_MAKING = (
+    *("export", "tool_paths", "artwork", "arrange", "sketch", "nest", "keep_remnant"),
+    *("assembly_sheet", "share", "study", "test_card", "keep_field", "compare", "fit_film"),
+)
+#: Each function, and the module of app/api that has it.
+_API = dict.fromkeys(_BALLOONS, "balloons") | dict.fromkeys(_MAKING, "making")
 
 
 def __getattr__(name: str) -> object:
@@ -22,6 +25,6 @@ def __getattr__(name: str) -> object:
         return getattr(version, _RELEASE[name])
     if name not in _API:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    from BalloonWorkbench.app import api
+    from importlib import import_module
 
-    return getattr(api, name)
+    return getattr(import_module(f"{__name__}.app.api.{_API[name]}"), name)

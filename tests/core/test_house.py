@@ -313,7 +313,7 @@ BORDERS = {
     "BalloonWorkbench/cli/command_line.py": "the command line",
     "BalloonWorkbench/cli/freecad_process.py": "FreeCAD's process beside it",
     "BalloonWorkbench/cli/studies/worker.py": "a row of a study",
-    "BalloonWorkbench/app/api.py": "the Python API",
+    "BalloonWorkbench/app/api/call.py": "the Python API",
     "BalloonWorkbench/app/border/guard.py": "what FreeCAD calls in our objects, views and observers",
     "BalloonWorkbench/app/border/status.py": "a recompute",
     "BalloonWorkbench/gui/window/borders.py": "commands, panels, and what Qt calls",

@@ -8,6 +8,7 @@ middle or in a square does not.
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
@@ -65,7 +66,7 @@ def _first_creased(pattern: Outline, film: Film, rigidity: float) -> Inflation:
     a nanometre are tried then, so that another processor tells the same.
     """
     for number in range(_TRIES):
-        grown = pattern.map(lambda loop, by=1.0 + _HAIR * number: by * loop)
+        grown = pattern.map(partial(np.multiply, 1.0 + _HAIR * number))
         creased = _creased(rough_panel(grown, _VERTICES), film, rigidity, None)
         if creased.report.converged:
             break

@@ -11,7 +11,7 @@ import json
 
 import FreeCADGui as Gui
 
-from BalloonWorkbench.app import api
+from BalloonWorkbench.app.api.call import already_done
 from BalloonWorkbench.app.document import create
 from BalloonWorkbench.app.document.kinds import is_bag, is_gored_body, is_target
 from BalloonWorkbench.app.group import OUTLINE
@@ -33,7 +33,7 @@ def call(function: str, *arguments: str, result=None, name: str = "", **named: s
     result  what the call returns while it is recorded
     """
     listed = [*arguments, *(f"{key}={value}" for key, value in named.items())]
-    with api.already_done(result):
+    with already_done(result):
         Gui.doCommand("import BalloonWorkbench")
         Gui.doCommand(f"{name and name + ' = '}BalloonWorkbench.{function}({', '.join(listed)})")
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import FreeCADGui as Gui
 
-from BalloonWorkbench.app import api
+from BalloonWorkbench.app.api import making
 from BalloonWorkbench.app.properties import preferences
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.machines.machine import bed_text
@@ -68,7 +68,7 @@ class TestCardPanel(TaskPanel):
         machine, folder = page.machine, page.folder.path
         written = {"bed": bed_text(machine.bed)} if page.own_bed else {}
         written |= page.tried()
-        files = api.test_card(machine.name, folder, **written)
+        files = making.test_card(machine.name, folder, **written)
         named = {name: macro_recorder.text(text) for name, text in written.items()}
         words = macro_recorder.text(machine.name), macro_recorder.text(folder)
         macro_recorder.call("test_card", *words, result=files, **named)
@@ -77,7 +77,7 @@ class TestCardPanel(TaskPanel):
 
     def _keep(self, page) -> str:
         card, field, name = page.card, page.field.currentText(), page.name.text()
-        path = api.keep_field(card, field, name)
+        path = making.keep_field(card, field, name)
         macro_recorder.call("keep_field", *map(macro_recorder.text, (card, field, name)), result=path)
         preferences.forget_bed(Path(path).stem)
         return translate("{} is among the machines of Export pattern").format(name.strip())

@@ -1,173 +1,20 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The Python API: what macros use, and what the commands of the window write into macros.
-
-`import BalloonWorkbench` offers these functions by name; docs/api.md has examples. A balloon is a `Parts`:
-its outline, balloon and pattern object. Values are given by the names of the objects' properties in small
-letters, such as mesh_size for MeshSize: as numbers in FreeCAD's units, quantities, or text such as "300 mm".
-"""
+"""The Python API on what is made of a balloon: files, prints, layouts, studies, comparisons."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from contextlib import contextmanager
-from functools import wraps
-from inspect import signature
 from pathlib import Path
-from typing import TypeVar
 
-from BalloonWorkbench.app import balloon
+from BalloonWorkbench.app.api.call import bordered, done
 from BalloonWorkbench.app.border import hooks
-from BalloonWorkbench.app.document import create
 from BalloonWorkbench.app.document.kinds import is_artwork, is_balloon
-from BalloonWorkbench.app.document.parts import Parts, panels_of, parts_of
-from BalloonWorkbench.app.engine import advice, repairs
+from BalloonWorkbench.app.document.parts import Parts
 from BalloonWorkbench.app.engine import export as writer
 from BalloonWorkbench.app.properties import values
 from BalloonWorkbench.app.shapes import piece_places
-from BalloonWorkbench.core import faults
-from BalloonWorkbench.core.errors import BalloonError, InputError
-
-_Result = TypeVar("_Result")
-_done: list = []  # what the window has made already and a call being recorded shall return
 
 
-def _bordered(function: Callable[..., _Result]) -> Callable[..., _Result]:
-    """The function with a border: what nobody foresaw is raised as ProgramFault, from what it was.
-
-    One that works on Parts takes any object of a balloon for them.
-    """
-    taken = signature(function)
-    made = next((each.name for each in taken.parameters.values() if each.annotation == Parts.__name__), None)
-
-    @wraps(function)
-    def call(*positional, **named):
-        bound = taken.bind(*positional, **named)  # a call that does not fit is the caller's TypeError
-        try:
-            if made is not None and not isinstance(bound.arguments[made], Parts):
-                bound.arguments[made] = _parts_with(bound.arguments[made])
-            return function(*bound.args, **bound.kwargs)
-        except BalloonError:
-            raise
-        except faults.UNFORESEEN as error:
-            raise faults.report_fault(error, f"{function.__name__}: Python API") from error
-
-    return call
-
-
-@_bordered
-def from_picture(doc, path, width=None, height=None, **options) -> Parts:
-    """A new balloon from a picture, SVG, DXF or JSON file; pictures need a width or a height.
-
-    A painting that the paint window has saved is such a picture. Raises BalloonError when no balloon comes
-    out; the document is then as before.
-    """
-    return _done[-1] if _done else create.balloon_from_picture(doc, path, width, height, values=options)
-
-
-@_bordered
-def from_sketch(doc, source, elements=(), **options) -> Parts:
-    """A new balloon that follows a sketch, wire or face; elements such as ["Face6"] pick a part of it.
-
-    Raises BalloonError when no balloon comes out; the document is then as before.
-    """
-    return _done[-1] if _done else create.balloon_from_sketch(doc, source, elements, values=options)
-
-
-@_bordered
-def from_profile(doc, source=None, elements=(), **options) -> Parts:
-    """A new balloon of gores from a profile: a sketch or wire, or an SVG, DXF or JSON file; None makes the
-    natural shape, whose gores are `gore_length` long.
-
-    Raises BalloonError when no balloon comes out; the document is then as before.
-    """
-    return _done[-1] if _done else create.balloon_from_profile(doc, source, elements, values=options)
-
-
-@_bordered
-def from_panels(doc, source, seams=(), **options) -> Parts:
-    """A new balloon of flat panels: a JSON file, the name of a ready body such as "Box", or a list of
-    sketches and pairs (object, ["Face1", "Face2"]); seams are texts such as "Sketch.Edge1=Sketch001.Edge3".
-
-    Raises BalloonError when no balloon comes out; the document is then as before.
-    """
-    return _done[-1] if _done else create.balloon_from_panels(doc, source, seams, values=options)
-
-
-@_bordered
-def from_body(doc, source, **options) -> Parts:
-    """A new balloon that fills a closed body: a solid or a mesh, or an STL, OBJ, PLY, 3MF or STEP file;
-    panels says into how many pieces it is divided, 0 takes the faces of a solid, 1 only the seams that are
-    drawn: seam_edits has texts of what is done to the seams, seam_sketches sketches that are projected.
-
-    Raises BalloonError when no balloon comes out; the document is then as before.
-    """
-    return _done[-1] if _done else create.balloon_from_body(doc, source, values=options)
-
-
-@_bordered
-def parts(obj) -> Parts:
-    """The balloon that an object or its group belongs to; InputError for other objects."""
-    return _parts_with(obj)
-
-
-def _parts_with(obj) -> Parts:
-    balloon_parts = parts_of(obj) if hasattr(obj, "TypeId") else None
-    if balloon_parts is None:
-        label = getattr(obj, "Label", obj)
-        raise InputError(f"{label} belongs to no balloon: choose an outline, a balloon or a pattern.")
-    return balloon_parts
-
-
-@_bordered
-def panels(made: Parts) -> list:
-    """The Panel objects of a balloon of many panels: each piece that is cut for it, to name, hide, measure
-    and export alone. Two equal panels have none."""
-    return panels_of(made.pattern)
-
-
-@_bordered
-def change(made: Parts, **options) -> None:
-    """Change values of a balloon and bring the document up to date; InputError for unknown names."""
-    if not _done:
-        values.assign(made, options)
-        made.balloon.Document.recompute()
-
-
-@_bordered
-def inflate(made: Parts) -> None:
-    """Inflate a balloon that does not do so by itself, `live` being off; its Status tells what came of it."""
-    if not _done:
-        balloon.inflate_now(made.balloon)
-
-
-@_bordered
-def findings(made: Parts) -> list:
-    """The findings about a balloon, the worst first: rule, severity, text, place and repair."""
-    return advice.findings(made)
-
-
-@_bordered
-def repair(made: Parts, rule: str, near=(0.0, 0.0)) -> None:
-    """Take the repair of a finding: the one of this rule whose place is nearest to `near` [mm].
-
-    Raises InputError when there is none.
-    """
-    from BalloonWorkbench.core.units import to_mm
-
-    if _done:
-        return
-    repairable = [each for each in advice.findings(made) if each.rule == rule and each.repair is not None]
-    if not repairable:
-        raise InputError(f'There is no "{rule}" to repair in {made.balloon.Label}: see its advice.')
-    x, y = near
-    nearest = min(
-        repairable, key=lambda each: (to_mm(each.place[0]) - x) ** 2 + (to_mm(each.place[1]) - y) ** 2
-    )
-    repairs.take(made, nearest.repair)
-    made.balloon.Document.recompute()
-
-
-@_bordered
+@bordered
 def export(
     obj,
     path,
@@ -189,7 +36,7 @@ def export(
     """
     from BalloonWorkbench.app import artwork as prints
 
-    if _done:
+    if done:
         return Path(path)
     if is_artwork(obj):
         prints.write(obj, path)
@@ -200,7 +47,7 @@ def export(
     return (writer.export_results if results else writer.export_pattern)(obj, path)
 
 
-@_bordered
+@bordered
 def tool_paths(
     obj,
     machine: str,
@@ -215,10 +62,10 @@ def tool_paths(
     """
     from BalloonWorkbench.app.machines import tool_paths as paths
 
-    return _done[-1] if _done else paths.tool_paths(obj, machine, bed, oversize, tabs, tabs_below)
+    return done[-1] if done else paths.tool_paths(obj, machine, bed, oversize, tabs, tabs_below)
 
 
-@_bordered
+@bordered
 def artwork(pattern_obj, **options):
     """The artwork of a pattern, made if there is none, with these values: picture, back_picture, bleed ...
 
@@ -226,8 +73,8 @@ def artwork(pattern_obj, **options):
     """
     from BalloonWorkbench.app import artwork as prints
 
-    if _done:
-        return _done[-1]
+    if done:
+        return done[-1]
     artworks = [obj for obj in pattern_obj.InList if is_artwork(obj) and obj.Pattern == pattern_obj]
     made = artworks[0] if artworks else prints.make(pattern_obj)
     values.assign_to(made, prints.PROPERTIES, options)
@@ -235,25 +82,25 @@ def artwork(pattern_obj, **options):
     return made
 
 
-@_bordered
+@bordered
 def arrange(pattern_obj, piece=None, at=(0.0, 0.0), angle=0.0, mirrored=False) -> None:
     """Lay a flat piece in the pattern view, its middle at (x, y) mm; without one all lie as they are made.
 
     angle  in degrees. Raises InputError where there is no such piece.
     """
-    if not _done:
+    if not done:
         piece_places.lay(pattern_obj, piece, at, angle, mirrored)
 
 
-@_bordered
+@bordered
 def sketch(pattern_obj):
     """A new Sketcher sketch of a pattern's cuts, of lines and arcs; InputError while it is not up to date."""
     from BalloonWorkbench.app.shapes.pattern_sketch import make_sketch
 
-    return _done[-1] if _done else make_sketch(pattern_obj)
+    return done[-1] if done else make_sketch(pattern_obj)
 
 
-@_bordered
+@bordered
 def nest(patterns, sheet=None, **options):
     """Lay out patterns closely on a new roll or sheet, or on one that is there; returns the object.
 
@@ -261,8 +108,8 @@ def nest(patterns, sheet=None, **options):
     """
     from BalloonWorkbench.app import film_sheet
 
-    if _done:
-        return _done[-1]
+    if done:
+        return done[-1]
     made = sheet or film_sheet.make(patterns[0].Document, patterns)
     made.Patterns = list(patterns)
     values.assign_to(made, film_sheet.PROPERTIES, options)
@@ -270,16 +117,16 @@ def nest(patterns, sheet=None, **options):
     return made
 
 
-@_bordered
+@bordered
 def keep_remnant(sheet, path) -> Path:
     """Write what is left of the film of a layout, an object of `nest`, as remnant.json into a folder or to a
     file; `nest(patterns, remnant=path)` lays pieces out on it. Returns the file. Raises InputError."""
     from BalloonWorkbench.app import film_sheet
 
-    return Path(path) if _done else film_sheet.keep_remnant(sheet, path)
+    return Path(path) if done else film_sheet.keep_remnant(sheet, path)
 
 
-@_bordered
+@bordered
 def study(made: Parts, variants=None, table=None, jobs: int = 0):
     """Work out variants of a balloon, in processes beside this one; returns the object with its Table.
 
@@ -290,8 +137,8 @@ def study(made: Parts, variants=None, table=None, jobs: int = 0):
     """
     from BalloonWorkbench.app.studies import study as studies
 
-    if _done:
-        return _done[-1]
+    if done:
+        return done[-1]
     obj = studies.make(made.balloon.Document, made, table=table, variants=variants)
     obj.Jobs = jobs
     rows = studies.read(obj)
@@ -302,7 +149,7 @@ def study(made: Parts, variants=None, table=None, jobs: int = 0):
     return obj
 
 
-@_bordered
+@bordered
 def assembly_sheet(made: Parts, path, paper: str = "A4", machine: str | None = None) -> Path:
     """Write the page on how to make a balloon, a PDF on A4 or Letter; returns it. Raises ExportError.
 
@@ -310,10 +157,10 @@ def assembly_sheet(made: Parts, path, paper: str = "A4", machine: str | None = N
     """
     from BalloonWorkbench.app.engine import maker
 
-    return Path(path) if _done else maker.write_assembly(made, path, paper, machine)
+    return Path(path) if done else maker.write_assembly(made, path, paper, machine)
 
 
-@_bordered
+@bordered
 def share(made: Parts, path, transparent: bool = False) -> Path:
     """Write a balloon as it is shown, with what is printed on it, for others; returns the file.
 
@@ -322,10 +169,10 @@ def share(made: Parts, path, transparent: bool = False) -> Path:
     """
     from BalloonWorkbench.app.sharing.share import write_shared
 
-    return Path(path) if _done else write_shared(made, path, transparent=transparent)
+    return Path(path) if done else write_shared(made, path, transparent=transparent)
 
 
-@_bordered
+@bordered
 def test_card(machine: str, folder, bed: str | None = None, **tried) -> list[Path]:
     """Write the files of a card on which a machine's tool tries settings into a folder; returns them.
 
@@ -336,8 +183,8 @@ def test_card(machine: str, folder, bed: str | None = None, **tried) -> list[Pat
     from BalloonWorkbench.core.test_cards.job import write_card
     from BalloonWorkbench.core.test_cards.tried import read_tried
 
-    if _done:
-        return _done[-1]
+    if done:
+        return done[-1]
     values = read_tried(tried)
     _, paths = hooks.run_blocking(
         "Writing the test card", lambda _progress: write_card(machine, values, folder, bed)
@@ -345,16 +192,16 @@ def test_card(machine: str, folder, bed: str | None = None, **tried) -> list[Pat
     return list(paths)
 
 
-@_bordered
+@bordered
 def keep_field(card, field: str, name: str) -> Path:
     """Keep what a field of a card (test-card.json) tried as a machine of your own of that name; returns its
     file. Raises InputError, ExportError."""
     from BalloonWorkbench.core.test_cards.job import keep_field
 
-    return _done[-1] if _done else keep_field(card, field, name)
+    return done[-1] if done else keep_field(card, field, name)
 
 
-@_bordered
+@bordered
 def compare(made: Parts, photo, scale: str, rim=None, folder=None):
     """A photograph of an inflated balloon of two equal panels beside it: `comparison.residual` has the mean,
     95 % and largest difference [m]. Writes compare.png and compare.json into a folder.
@@ -365,8 +212,8 @@ def compare(made: Parts, photo, scale: str, rim=None, folder=None):
     """
     from BalloonWorkbench.app.as_made import photo_comparison
 
-    if _done:
-        return _done[-1]
+    if done:
+        return done[-1]
     job = photo_comparison.comparing(made, photo, scale, rim)
     compared = hooks.run_blocking("Comparing with the photograph", job)
     if folder is not None:
@@ -374,7 +221,7 @@ def compare(made: Parts, photo, scale: str, rim=None, folder=None):
     return compared
 
 
-@_bordered
+@bordered
 def fit_film(made: Parts, photo, scale: str, rim=None, replace: bool = False) -> Path:
     """Find from a photograph how much a balloon's film has stretched and how far the weld drew the seam in,
     and keep both as a film of your own, such as mylar-as-made; returns its file.
@@ -384,18 +231,8 @@ def fit_film(made: Parts, photo, scale: str, rim=None, replace: bool = False) ->
     """
     from BalloonWorkbench.app.as_made import photo_comparison
 
-    if _done:
-        return _done[-1]
+    if done:
+        return done[-1]
     job = photo_comparison.comparing(made, photo, scale, rim, fit=True)
     compared = hooks.run_blocking("Comparing with the photograph", job)
     return photo_comparison.keep_film(made.balloon, compared, photo, replace)
-
-
-@contextmanager
-def already_done(result):
-    """Calls return this instead of working: the window has worked, and writes the call into the macro."""
-    _done.append(result)
-    try:
-        yield
-    finally:
-        _done.pop()
