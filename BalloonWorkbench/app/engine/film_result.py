@@ -78,6 +78,11 @@ def is_known(obj) -> bool:
     return bool(obj.SolvedWith)
 
 
+def shape(obj) -> tuple:
+    """The Assembly of the result and where its vertices are (n, 3) m: quickly, without what the film does."""
+    return _assembly(obj), _metres(obj.FilmPoints)
+
+
 def stored(obj):
     """The Inflation kept by `store` and its Film. Raises InputError where there is none, see `is_known`."""
     import numpy as np
@@ -93,8 +98,7 @@ def stored(obj):
     if not is_known(obj):
         raise InputError(f"{obj.Label} has no result yet: recompute it.")
     data = json.loads(obj.SolvedWith)
-    assembly = _assembly(obj)
-    positions = _metres(obj.FilmPoints)
+    assembly, positions = shape(obj)
     report = data["report"]
     lift = report.get("lift")
     solved = {

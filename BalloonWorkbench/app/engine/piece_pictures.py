@@ -16,7 +16,7 @@ def of_shares(pattern, pieces, shares) -> dict:
 
     from BalloonWorkbench.core.results.flat_maps import flat_map
 
-    assembly = film_result.stored(pattern.Balloon)[0].assembly
+    assembly, _ = film_result.shape(pattern.Balloon)
     if assembly.mirror:
         (panel,) = assembly.panels
         flat, count = panel.rest_positions, len(panel.triangles)

@@ -17,7 +17,7 @@ from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, position
 from BalloonWorkbench.gui.window.zoom_keys import FIT, LARGER, PULL, SMALLER, OwnKeys, wheel_zoom
 from BalloonWorkbench.gui.window.zoom_keys import STEP as ZOOM_STEP
 
-_AROUND = 0.03  # of the pieces' size, left free beside them
+_AROUND = 0.05  # of the pieces' size, left free beside them: there is room for a handle
 _FARTHEST, _NEAREST = 0.1, 400.0  # of the zoom that shows everything
 NEAR = 9.0  # px within which an edge, a point or the handle is meant
 _NUDGE, _FAR_NUDGE = from_mm(1.0), from_mm(10.0)

@@ -12,9 +12,10 @@ from BalloonWorkbench.app.engine.bag_result import has_many_panels
 from BalloonWorkbench.app.pattern import bag_patterns
 from BalloonWorkbench.core.arrangement.seam_vertices import along_edge
 from BalloonWorkbench.core.pattern.pieces import PatternPieces
+from BalloonWorkbench.core.units import to_mm
 from BalloonWorkbench.gui.bags.panel_display import line_node
 from BalloonWorkbench.gui.bags.seam_colours import seam_colour
-from BalloonWorkbench.gui.view3d.skin import Skin, skin_from
+from BalloonWorkbench.gui.view3d.skin import seam_lines
 
 _WIDTH = 7.0  # px
 _NEAR = 0.02  # of the balloon's size: a place that is as near to a seam means it
@@ -22,10 +23,15 @@ _NEAR = 0.02  # of the balloon's size: a place that is as near to a seam means i
 
 @dataclass(frozen=True)
 class _Seams:
-    """A balloon as it was solved: its film, the line (k, 3) mm of each seam by its number, and the piece of
-    each of its panels."""
+    """A balloon as it was solved.
 
-    skin: Skin
+    middles   (m, 3) mm, of all triangles; panels (m,) of each
+    lines     (k, 3) mm, where each seam is by its number
+    piece_of  the piece of each panel
+    """
+
+    middles: np.ndarray
+    panels: np.ndarray
     lines: dict[int, np.ndarray]
     piece_of: dict[int, int]
 
@@ -48,6 +54,10 @@ class SeamLights:
         self._shown = root, line_node(seams.lines[seam], seam_colour(seam - 1), _WIDTH)
         root.addChild(self._shown[1])
 
+    def prepare(self, pieces: PatternPieces) -> None:
+        """Read the balloon before anything is picked, so that a pick is answered at once."""
+        self._seams(pieces)
+
     def clear(self) -> None:
         """Take the light away."""
         if self._shown is not None:
@@ -62,14 +72,11 @@ class SeamLights:
             return None, None
         owners = [number for number, line in seams.lines.items() for _ in line]
         away = np.linalg.norm(np.concatenate([*seams.lines.values()]) - place, axis=1)
-        size = float(np.ptp(seams.skin.positions, axis=0).max())
+        size = float(np.ptp(seams.middles, axis=0).max())
         if away.min() <= _NEAR * size:
             seam = owners[int(away.argmin())]
             return next(number for number, edge in enumerate(pieces.edges) if edge.seam == seam), None
-        if seams.skin.panels is None:
-            return None, None
-        middles = seams.skin.positions[seams.skin.triangles].mean(axis=1)
-        panel = int(seams.skin.panels[np.linalg.norm(middles - place, axis=1).argmin()])
+        panel = int(seams.panels[np.linalg.norm(seams.middles - place, axis=1).argmin()])
         return None, seams.piece_of.get(panel)
 
     def _seams(self, pieces: PatternPieces) -> _Seams | None:
@@ -87,12 +94,26 @@ def _same(one: tuple, other: tuple) -> bool:
 
 
 def _seams_of(pattern, pieces: PatternPieces) -> _Seams:
-    inflation, film = film_result.stored(pattern.Balloon)
-    skin = skin_from(inflation, film)
+    assembly, metres = film_result.shape(pattern.Balloon)
+    positions = to_mm(metres)
+    middles = positions[assembly.surface.triangles].mean(axis=1)
+    panels = np.repeat(np.arange(len(assembly.panels)), [len(panel.triangles) for panel in assembly.panels])
     if has_many_panels(pattern.Balloon):
-        lines = {number: skin.positions[line] for number, line in enumerate(skin.lines, 1)}
-        return _Seams(skin, lines, {panel: piece for piece, panel in enumerate(bag_patterns(pattern).panels)})
-    panel = inflation.panel
-    front = [edge for edge in pieces.edges if edge.piece == 0]
-    vertices = {edge.seam: along_edge(edge.line, panel.loops, panel.rest_positions) for edge in front}
-    return _Seams(skin, {seam: skin.positions[each] for seam, each in vertices.items()}, {0: 0, 1: 1})
+        lines = {number: positions[line] for number, line in enumerate(seam_lines(assembly), 1)}
+        piece_of = {panel: piece for piece, panel in enumerate(bag_patterns(pattern).panels)}
+        return _Seams(middles, panels, lines, piece_of)
+    (panel,) = assembly.panels
+    vertices = {
+        edge.seam: along_edge(edge.line, panel.loops, panel.rest_positions)
+        for edge in pieces.edges
+        if edge.piece == 0
+    }
+    lower = pattern.Balloon.LowerFilmPoints
+    below = np.array([tuple(point) for point in lower]) if lower else positions * (1.0, 1.0, -1.0)
+    both = np.concatenate([middles, below[panel.triangles].mean(axis=1)])
+    return _Seams(
+        both,
+        np.repeat([0, 1], len(middles)),
+        {seam: positions[each] for seam, each in vertices.items()},
+        {0: 0, 1: 1},
+    )

@@ -172,11 +172,16 @@ class PatternTab(QtWidgets.QWidget):
             self._kept = kept
             self.view.show_pieces(laid, arranging.grains(self.obj, laid), is_pattern(self.obj))
             self.reset.setEnabled(bool(kept.places))
-        if others and self.lights is not None:
-            self.lights.clear()
         if others:
             self.looks.forget()
+            QtCore.QTimer.singleShot(_PATIENCE, self._prepare)
+        if others and self.lights is not None:
+            self.lights.clear()
         self.looks.follow(self.obj, laid.base)
+
+    def _prepare(self) -> None:
+        if self.obj is not None and self.lights is not None and not self.obj.Document.Recomputing:
+            self.lights.prepare(self.view.laid.base)
 
     def leave(self) -> None:
         """The object is being deleted: the tab closes when FreeCAD is done with that."""

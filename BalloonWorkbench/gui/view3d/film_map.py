@@ -84,7 +84,8 @@ def map_nodes(obj, kind: str) -> list:
         return [_film(SkinNodes(skin), [_matt(coin, _GREY)]), legend_node(obj, legend, TOP)]
     if kind == colour_map.RESIDUAL:
         return _residual_nodes(obj, inflation, skin)
-    shown = _film_colours(obj, inflation, film, film_results, kind)
+    safe = maker.safety_of(obj) if kind == colour_map.TENSION else None
+    shown = _film_colours(obj, inflation, film, film_results, kind, safe)
     nodes = [
         _film(SkinNodes(skin, shown.map.shares), _scale_nodes()),
         legend_node(obj, shown.legend, TOP),
@@ -95,14 +96,14 @@ def map_nodes(obj, kind: str) -> list:
 
 
 def film_colours(obj, kind: str) -> FilmColours:
-    """One of FLAT_CHOICES of a balloon that has a result, with its legend. Raises BalloonError."""
+    """One of FLAT_CHOICES of a balloon that has a result, with its legend but for what it can bear, which
+    takes long to work out. Raises BalloonError."""
     inflation, film = film_result.stored(obj)
-    return _film_colours(obj, inflation, film, results(inflation, film), kind)
+    return _film_colours(obj, inflation, film, results(inflation, film), kind, None)
 
 
-def _film_colours(obj, inflation, film, film_results: Results, kind: str) -> FilmColours:
+def _film_colours(obj, inflation, film, film_results: Results, kind: str, safe) -> FilmColours:
     drawn_map = colour_map.film_map(film_results, kind)
-    safe = maker.safety_of(obj) if kind == colour_map.TENSION else None
     if safe is not None:  # single triangles say more of the mesh than of the film
         drawn_map = replace(drawn_map, largest=safe.load.value, place=to_mm(safe.load.place))
     factor, unit = user_unit(drawn_map.unit, drawn_map.top)
@@ -252,7 +253,9 @@ def _states(film: FilmState) -> tuple:
 
 def _notes(safe, drawn_map, factor: float, unit: str) -> tuple[str, ...]:
     notes = []
-    if drawn_map.largest > 1.05 * drawn_map.top:
+    if drawn_map.largest > 1.05 * drawn_map.top and (
+        safe is not None or drawn_map.kind != colour_map.TENSION
+    ):
         notes.append(translate("at most {} {}").format(number_text(drawn_map.largest * factor), unit))
     if safe is not None:
         if safe.safe_pressure is None:

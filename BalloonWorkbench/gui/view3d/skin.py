@@ -49,12 +49,12 @@ def skin_from(inflation, film) -> Skin:
         state.positions,
         state.triangles,
         normals(state.positions, state.triangles),
-        _lines(assembly),
+        seam_lines(assembly),
         panels,
     )
 
 
-def _lines(assembly) -> tuple[np.ndarray, ...]:
+def seam_lines(assembly) -> tuple[np.ndarray, ...]:
     """Vertices along each seam and each weld; of a rim that is closed the first one twice."""
     if assembly.mirror:
         (panel,) = assembly.panels

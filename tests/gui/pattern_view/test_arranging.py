@@ -7,13 +7,16 @@ import FreeCADGui as Gui
 import hands
 import numpy as np
 import pytest
+import view_port
 from flat_hands import at, click, drag, key, lit, middle, open_tab, settled
 
+from BalloonWorkbench.app import film_sheet
 from BalloonWorkbench.app.document import create
 from BalloonWorkbench.app.shapes import piece_places
 from BalloonWorkbench.core.arrangement.arrangement import names_of
 from BalloonWorkbench.core.geometry.nearest import nearest_on_loops
 from BalloonWorkbench.core.pattern.pattern import Role
+from BalloonWorkbench.gui.pattern_view import tab as tabs
 
 Kind, Qt, QPointF = hands.QtCore.QEvent, hands.QtCore.Qt, hands.QtCore.QPointF
 
@@ -211,15 +214,70 @@ def test_a_seam_is_lit_on_the_balloon_and_picked_there(doc):
         Gui.Selection.addSelection(doc.Name, box.balloon.Name, "", x, y, z)
         assert lit(tab) == 2
         assert tab.view.pieces.edges[tab.view.edge].seam == number
-    middles = seams.skin.positions[seams.skin.triangles].mean(axis=1)
+    middles = seams.middles
     inner = np.linalg.norm(middles - middles.mean(axis=0), axis=1).argmin()
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(doc.Name, box.balloon.Name, "", *middles[inner].tolist())
     assert lit(tab) == 0
-    assert tab.view.piece == seams.piece_of[int(seams.skin.panels[inner])]
+    assert tab.view.piece == seams.piece_of[int(seams.panels[inner])]
     tab.parentWidget().close()
     hands.wait(0.1)
     assert root.getNumChildren() == bare
+
+
+def test_a_click_in_the_3d_view_lights_the_seam(doc):
+    box = create.balloon_from_panels(doc, "Box", mesh_size="30 mm")
+    tab = open_tab(box.pattern)
+    seams = tab.lights._seams(tab.view.laid.base)
+    area = Gui.getMainWindow().findChild(hands.QtWidgets.QMdiArea)
+    (view,) = [each for each in area.subWindowList() if each is not tab.parentWidget()]
+    area.setActiveSubWindow(view)
+    for obj in doc.Objects:
+        obj.Visibility = obj is box.balloon
+    Gui.activeDocument().activeView().viewIsometric()
+    Gui.SendMsgToActiveView("ViewFit")
+    hands.wait(0.3)
+    port = view_port.view_area().viewport()
+    toward = np.array(Gui.activeDocument().activeView().getViewDirection())
+    nearest = min(seams.lines, key=lambda number: float(seams.lines[number].mean(axis=0) @ toward))
+    line = seams.lines[nearest]
+    place = box.balloon.Placement.multVec(App.Vector(*line[len(line) // 2].tolist()))
+    view_port.click(port, view_port.pixel(port, place))
+    assert tab.view.edge is not None
+    assert tab.view.pieces.edges[tab.view.edge].seam == nearest
+    assert tab.line.text().startswith(f"Seam {nearest}: ")
+    hands.screenshot("pattern-view-seam-on-balloon")
+
+
+def test_a_drag_is_dropped_when_its_pattern_goes(tab, made):
+    start = at(tab, film_of(tab, 0))
+    drag(tab, start, start + QPointF(-60, -50), let_go=False)
+    made.pattern.SealWidth = "9 mm"
+    made.pattern.Document.recompute()
+    hands.wait_until(lambda: tab.view._drag is None, 5)
+    brush.mouse_at(tab.view.viewport(), Kind.MouseButtonRelease, start, held=Qt.NoButton)
+    assert not made.pattern.ArrangedPieces
+    drag(tab, start, start + QPointF(-60, -50), let_go=False)
+    made.pattern.Document.removeObject(made.pattern.Name)
+    brush.mouse_at(tab.view.viewport(), Kind.MouseButtonRelease, start, held=Qt.NoButton)
+    hands.wait_until(lambda: not tabs._tabs, 5)
+
+
+def test_pieces_of_a_film_sheet_stay_where_they_are(made):
+    sheet = film_sheet.make(made.pattern.Document, [made.pattern])
+    made.pattern.Document.recompute()
+    tab = open_tab(sheet)
+    settled(tab)
+    before, start = places(tab), at(tab, film_of(tab, 0))
+    click(tab, film_of(tab, 0))
+    assert tab.view.piece == 0
+    assert tab.view.handle_at() is None
+    drag(tab, start, start + QPointF(60, 30))
+    tab.view.choose(0)
+    hands.key(tab.view, Qt.Key_R, "r")
+    hands.wait(0.05)
+    assert places(tab) == before
+    assert tab.looks.list.count() == 1
 
 
 def test_an_edge_of_two_panels_is_lit_where_it_is(made):
