@@ -14,7 +14,7 @@ _MAKING = (
     *("assembly_sheet", "share", "study", "test_card", "keep_field", "compare", "fit_film"),
 )
 #: Each function, and the module of app/api that has it.
-_API = dict.fromkeys(_BALLOONS, "balloons") | dict.fromkeys(_MAKING, "making")
+_API = dict.fromkeys(_BALLOONS, ".app.api.balloons") | dict.fromkeys(_MAKING, ".app.api.making")
 
 
 def __getattr__(name: str) -> object:
@@ -27,4 +27,4 @@ def __getattr__(name: str) -> object:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     from importlib import import_module
 
-    return getattr(import_module(f"{__name__}.app.api.{_API[name]}"), name)
+    return getattr(import_module(_API[name], __name__), name)
