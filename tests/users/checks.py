@@ -19,7 +19,7 @@ QtCore, QtGui, QtWidgets = hands.QtCore, hands.QtGui, hands.QtWidgets
 _PARKED = -400  # px; FreeCAD 1.0 keeps docks that are not in use to the left of the screen
 _SLACK = 2  # px that styles give or take
 _CONTRAST = 3.0  # of text, WCAG 2.1 for large and graphical parts
-_READ = 0.8  # of the entry of a choice that shows an ellipsis in place of its end
+_READ = 0.65  # of the entry of a choice that shows an ellipsis, and all of it in its tooltip
 _STROKE = 6  # px that a letter has at least
 _MOST = 8  # faults of a kind that are told for one step
 #: Widgets whose parts lie over each other as Qt and FreeCAD made them.
@@ -56,11 +56,12 @@ WRONG = {
 
 
 def roots():
-    """What is ours on the screen: the paint window, panels, our boxes."""
+    """What is ours on the screen: the paint window, panels, boxes; no panel of what FreeCAD edits."""
+    edited = Gui.ActiveDocument is not None and Gui.ActiveDocument.getInEdit() is not None
     panels = [
         widget
         for widget in hands.visible(QtWidgets.QWidget)
-        if widget.metaObject().className() == "Gui::TaskView::TaskView"
+        if widget.metaObject().className() == "Gui::TaskView::TaskView" and not edited
     ]
     paint = [window for window in paint_window._open if window.isVisible()]
     return [*panels, *paint, *hands.visible(QtWidgets.QDialog)]
