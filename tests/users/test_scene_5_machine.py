@@ -4,6 +4,7 @@
 import json
 
 import FreeCAD as App
+import FreeCADGui as Gui
 import hands
 import numpy as np
 import photographs
@@ -36,6 +37,7 @@ def test_scene_5_machine(user, story, machines, tmp_path):
     drawn = sketches.rectangle(doc, 90, 60)
     parts = create.balloon_from_sketch(doc, drawn, mesh_size=10)
     doc.clearUndos()
+    Gui.SendMsgToActiveView("ViewFit")
     hands.wait(0.5)
     _card_made(user, story, tmp_path / "card")
     _best_kept(user, story)

@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 import FreeCAD as App
+import FreeCADGui as Gui
 import hands
 import sketches
 import steps
@@ -23,6 +24,7 @@ def test_scene_6_catalogue(user, story, tmp_path):
     doc = App.newDocument("Catalogue")
     parts = create.balloon_from_sketch(doc, sketches.rectangle(doc, 120, 80), mesh_size=12, correct=False)
     doc.clearUndos()
+    Gui.SendMsgToActiveView("ViewFit")
     hands.wait(0.5)
     file = tmp_path / "catalogue.FCStd"
     _begun_and_stopped(user, story, doc, parts, tmp_path / "rows")
@@ -56,6 +58,8 @@ def _begun_and_stopped(user, story, doc, parts, folder):
     story.step("stopped")
     story.expect(2 <= _done() < ROWS, f"{_done()} rows are there after Stop")
     steps.leave(user)
+    story.expect(doc.Study.ViewObject.isVisible(), "the study is grey in the tree")
+    story.expect("Touched" not in doc.Study.State + doc.StudyTable.State, "the study is to be recomputed")
     story.step("study-kept")
 
 
@@ -92,7 +96,7 @@ def _page(user, story, balloon, file):
     user.replace(hands.find("SharedFile"), str(file), confirm=False)
     steps.leave(user)
     text = file.read_text(encoding="utf-8")
-    story.expect(text.startswith("<!DOCTYPE html>") and "<canvas" in text, "the page has nothing that turns")
+    story.expect("<script" in text and "data:model/gltf-binary" in text, "the page has nothing that turns")
     story.expect(str(file) in steps.status_text(), "nothing tells where the page was written")
     story.step("page-written")
 

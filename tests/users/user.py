@@ -131,13 +131,10 @@ class User:
         bar = Gui.getMainWindow().menuBar()
         action = next(a for a in bar.actions() if "Balloon" in a.text().replace("&", ""))
         self.click(bar.mapToGlobal(bar.actionGeometry(action).center()))
-        menu = action.menu()
         for name in names:
-            hands.wait_until(menu.isVisible, 10)
+            hands.wait_until(lambda name=name: _entry(name) is not None, 10)
             hands.wait(0.1)
-            action = next(a for a in menu.actions() if name in (a.objectName(), a.text().replace("&", "")))
-            self.click(menu.mapToGlobal(menu.actionGeometry(action).center()))
-            menu = action.menu() or menu
+            self.click(_entry(name))
 
     def open_in_tree(self, obj):
         """Double-click an object in the tree, which may still be moving: something opens."""
@@ -226,6 +223,15 @@ class User:
         yield done
         timer.stop()
         assert done or not expected, f"no {kind} came"
+
+
+def _entry(name):
+    """Where an entry of the menus that are open is on the screen, by its name or its text; None without it."""
+    for menu in hands.visible(QtWidgets.QMenu):
+        for action in menu.actions():
+            if name in (action.objectName(), action.text().replace("&", "")):
+                return menu.mapToGlobal(menu.actionGeometry(action).center())
+    return None
 
 
 def _items(item):
