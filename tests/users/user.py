@@ -226,7 +226,7 @@ class User:
 
 
 def _entry(name):
-    """Where an entry of the menus that are open is on the screen, by its name or its text; None without it."""
+    """Where an entry of the open menus is on the screen, by its name or its text; None without one."""
     for menu in hands.visible(QtWidgets.QMenu):
         for action in menu.actions():
             if name in (action.objectName(), action.text().replace("&", "")):
