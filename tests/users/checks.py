@@ -210,7 +210,7 @@ def _text_cut_off(widget):
 def _needed_width(widget, said):
     """Pixels that a text needs in its widget."""
     wraps = isinstance(widget, QtWidgets.QLabel) and widget.wordWrap()
-    parts = said.split() if wraps else said.split("\n")
+    parts = re.split(r"(?<=[/-])|\s", said) if wraps else said.split("\n")
     needs = max(widget.fontMetrics().horizontalAdvance(part) for part in parts or [""])
     if isinstance(widget, ElidedCombo):
         return needs * _READ

@@ -55,6 +55,9 @@ def workbench(monkeypatch):
         hands.leave()
     for document in list(App.listDocuments()):
         App.closeDocument(document)
+    for dock in hands.visible(hands.QtWidgets.QDockWidget):
+        if dock.objectName() == "Report view":
+            dock.hide()
     hands.wait(0.2)
     assert not told
 

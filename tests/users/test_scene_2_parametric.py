@@ -111,6 +111,7 @@ def _type_into_cell(user, story, sheet, text):
     story.step("cell")
     area = Gui.getMainWindow().findChild(QtWidgets.QMdiArea)
     area.closeActiveSubWindow()
+    Gui.activateWorkbench("BalloonWorkbench")  # FreeCAD 1.1 stays in that of spreadsheets
     hands.wait(0.5)
 
 
