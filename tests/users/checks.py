@@ -147,6 +147,8 @@ def cut_off(widgets):
         yield from _off_screen(widget) if area is None else _beside(widget, area)
         if isinstance(widget, _SAYING):
             yield from _text_cut_off(widget)
+        if isinstance(widget, QtWidgets.QTableWidget):
+            yield from _cells_cut_off(widget)
         arrows = [w for w in widgets if isinstance(w, QtWidgets.QToolButton) and parent_of(w) is widget]
         if isinstance(widget, QtWidgets.QTabBar) and arrows:
             yield f"the tabs of {name(widget)} do not fit"
@@ -158,6 +160,21 @@ def cut_off(widgets):
     for outer, inner in itertools.permutations(scrolling, 2):
         if outer.isAncestorOf(inner) and isinstance(inner, QtWidgets.QScrollArea):
             yield f"{name(inner)} scrolls inside {name(outer)}, which scrolls"
+
+
+def _cells_cut_off(table):
+    """Cells and headings of a table that cannot be read."""
+    for column in range(table.columnCount()):
+        if table.isColumnHidden(column):
+            continue
+        heading = table.horizontalHeaderItem(column)
+        cells = [heading] if heading is not None else []
+        cells += filter(None, (table.item(row, column) for row in range(table.rowCount())))
+        for cell in cells:
+            needs = table.fontMetrics().horizontalAdvance(cell.text())
+            if needs > table.columnWidth(column) + _SLACK:
+                yield f"a cell of {name(table)} has {table.columnWidth(column)} px for {cell.text()!r}"
+                break
 
 
 def _off_screen(widget):

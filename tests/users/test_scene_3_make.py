@@ -53,6 +53,7 @@ def _film_and_valve(user, story, doc):
     story.step("film")
     user.button("Step2")
     user.replace(hands.find("SealWidth"), "6 mm")
+    steps.inflated()
     user.choose(hands.find("IntakeKind"), "film valve")
     steps.inflated()
     story.step("valve")

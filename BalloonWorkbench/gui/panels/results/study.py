@@ -224,8 +224,19 @@ class StudyPanel(ObjectPanel):
                 item = QtWidgets.QTableWidgetItem(text)
                 item.setToolTip(translated(str(row_results.get(FAILURE) or "")))
                 self.rows.setItem(place, column, item)
+        self._hide_equal(len(inputs))
         self._say_counts()
         self._show_plot()
+
+    def _hide_equal(self, inputs: int) -> None:
+        """A panel is narrow: inputs that are the same in all rows are not shown, unless all are."""
+        texts = [
+            {self.rows.item(row, column).text() for row in range(self.rows.rowCount())}
+            for column in range(inputs)
+        ]
+        vary = [len(each) > 1 for each in texts]
+        for column, varies in enumerate(vary):
+            self.rows.setColumnHidden(column, any(vary) and not varies)
 
     def _input_text(self, letters: str, number: int) -> str:
         text = str(self.obj.Table.getContents(f"{letters}{number}")).lstrip("='")
