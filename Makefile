@@ -37,7 +37,7 @@ matrix: native ## Run the tests with FreeCAD 1.0 and 1.1 (Python 3.13, 3.14), in
 	@tools/matrix.sh app gui engine
 
 # Pictures of each step: build/users. A part of it: SCREENS=1366x768 THEMES=dark SUITES=forky make users
-users: native ## Play an engineer, a maker and a child with real mouse and keys: two screens, two themes, each FreeCAD; as root
+users: native ## Play six scenes with real mouse and keys: two screens, two themes, each FreeCAD; as root
 	@tools/test.sh users
 	@tools/matrix.sh users
 

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import io
+from contextlib import contextmanager
 
 import FreeCAD as App
 
@@ -21,6 +22,7 @@ def qt():
     return QtCore, QtGui, QtWidgets
 
 
+_REPORT = "ReportOutput"  # FreeCAD's name of the report view
 #: What a view provider says has changed when its colour has: the second one since 1.0.
 COLOUR_PROPERTIES = ("ShapeColor", "ShapeAppearance")
 
@@ -122,6 +124,19 @@ def cam_operation(job, steps):
         lines.append(path.Command(name, numbers).toGCode())
     operation.Gcode = lines
     return operation
+
+
+@contextmanager
+def report_view_kept():
+    """FreeCAD 0.20 tells an error of its own while it merges a job: the report view is left as it is."""
+    shown = has_screen() and App.Console.GetStatus(_REPORT, "Err")
+    if shown:
+        App.Console.SetStatus(_REPORT, "Err", False)
+    try:
+        yield
+    finally:
+        if shown:
+            App.Console.SetStatus(_REPORT, "Err", True)
 
 
 def has_material_system() -> bool:

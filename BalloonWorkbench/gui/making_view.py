@@ -8,6 +8,7 @@ from BalloonWorkbench.gui.view import _layer_colour, _View
 
 #: Resolution of the print in the view [dpi]; more is finer than the screen.
 _DPI = 50.0
+_NOTHING = "Nothing"  # display mode of what the 3D view does not show
 _FILM = (0.45, 0.49, 0.56)
 
 
@@ -96,9 +97,24 @@ class FilmSheetView(LinesView):
 
 
 class StudyView(_View):
-    """A place in the tree."""
+    """A place in the tree, which is grey there for what FreeCAD has no way to show."""
 
     icon = "study"
+
+    def attach(self, vobj):
+        from pivy import coin
+
+        super().attach(vobj)
+        vobj.addDisplayMode(coin.SoGroup(), _NOTHING)
+
+    def getDisplayModes(self, vobj):
+        return [_NOTHING]
+
+    def getDefaultDisplayMode(self):
+        return _NOTHING
+
+    def setDisplayMode(self, mode):
+        return mode
 
     def doubleClicked(self, vobj):
         from BalloonWorkbench.gui.panels import is_free

@@ -11,7 +11,8 @@ import sketches
 from gcode_reader import Controller
 
 import BalloonWorkbench
-from BalloonWorkbench.app.document import create
+from BalloonWorkbench.app import artwork
+from BalloonWorkbench.app.document import arrange, create
 from BalloonWorkbench.app.engine.export import export_for
 from BalloonWorkbench.core.errors import ExportError
 from BalloonWorkbench.core.machines.machine import FOLDER
@@ -110,6 +111,19 @@ def test_each_film_has_a_job_in_the_document_of_its_pattern(doc, own):
         obj.touch()
     doc.recompute()
     assert [obj.Label for obj in doc.Objects if not obj.isValid()] == []
+
+
+def test_what_is_made_beside_a_job_finds_its_place(doc, own):
+    """Paths lie nowhere in FreeCAD 0.20: they are no obstacle."""
+    made = create.balloon_from_sketch(doc, sketches.ring(doc), mesh_size=20, correct=False)
+    BalloonWorkbench.tool_paths(made.pattern, "beam")
+    print_of = artwork.make(made.pattern)
+    other = create.balloon_from_sketch(doc, sketches.rectangle(doc), mesh_size=20, correct=False)
+    doc.recompute()
+    beside = [obj.Shape.BoundBox for obj in (made.pattern, other.pattern)]
+    assert not beside[0].intersect(beside[1])
+    assert print_of.Pattern == made.pattern
+    assert len(list(arrange.boxes(doc.Objects, App.Placement()))) > 4
 
 
 def test_what_cannot_be_made_leaves_no_object(doc, own):

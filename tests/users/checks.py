@@ -19,7 +19,7 @@ QtCore, QtGui, QtWidgets = hands.QtCore, hands.QtGui, hands.QtWidgets
 _PARKED = -400  # px; FreeCAD 1.0 keeps docks that are not in use to the left of the screen
 _SLACK = 2  # px that styles give or take
 _CONTRAST = 3.0  # of text, WCAG 2.1 for large and graphical parts
-_READ = 0.8  # of the entry of a choice that shows an ellipsis in place of its end
+_READ = 0.65  # of the entry of a choice that shows an ellipsis, and all of it in its tooltip
 _STROKE = 6  # px that a letter has at least
 _MOST = 8  # faults of a kind that are told for one step
 #: Widgets whose parts lie over each other as Qt and FreeCAD made them.
@@ -56,11 +56,12 @@ WRONG = {
 
 
 def roots():
-    """What is ours on the screen: the paint window, panels, our boxes."""
+    """What is ours on the screen: the paint window, panels, boxes; no panel of what FreeCAD edits."""
+    edited = Gui.ActiveDocument is not None and Gui.ActiveDocument.getInEdit() is not None
     panels = [
         widget
         for widget in hands.visible(QtWidgets.QWidget)
-        if widget.metaObject().className() == "Gui::TaskView::TaskView"
+        if widget.metaObject().className() == "Gui::TaskView::TaskView" and not edited
     ]
     paint = [window for window in paint_window._open if window.isVisible()]
     return [*panels, *paint, *hands.visible(QtWidgets.QDialog)]
@@ -146,6 +147,8 @@ def cut_off(widgets):
         yield from _off_screen(widget) if area is None else _beside(widget, area)
         if isinstance(widget, _SAYING):
             yield from _text_cut_off(widget)
+        if isinstance(widget, QtWidgets.QTableWidget):
+            yield from _cells_cut_off(widget)
         arrows = [w for w in widgets if isinstance(w, QtWidgets.QToolButton) and parent_of(w) is widget]
         if isinstance(widget, QtWidgets.QTabBar) and arrows:
             yield f"the tabs of {name(widget)} do not fit"
@@ -157,6 +160,21 @@ def cut_off(widgets):
     for outer, inner in itertools.permutations(scrolling, 2):
         if outer.isAncestorOf(inner) and isinstance(inner, QtWidgets.QScrollArea):
             yield f"{name(inner)} scrolls inside {name(outer)}, which scrolls"
+
+
+def _cells_cut_off(table):
+    """Cells and headings of a table that cannot be read."""
+    for column in range(table.columnCount()):
+        if table.isColumnHidden(column):
+            continue
+        heading = table.horizontalHeaderItem(column)
+        cells = [heading] if heading is not None else []
+        cells += filter(None, (table.item(row, column) for row in range(table.rowCount())))
+        for cell in cells:
+            needs = table.fontMetrics().horizontalAdvance(cell.text())
+            if needs > table.columnWidth(column) + _SLACK:
+                yield f"a cell of {name(table)} has {table.columnWidth(column)} px for {cell.text()!r}"
+                break
 
 
 def _off_screen(widget):
@@ -209,7 +227,7 @@ def _text_cut_off(widget):
 def _needed_width(widget, said):
     """Pixels that a text needs in its widget."""
     wraps = isinstance(widget, QtWidgets.QLabel) and widget.wordWrap()
-    parts = said.split() if wraps else said.split("\n")
+    parts = re.split(r"(?<=[/-])|\s", said) if wraps else said.split("\n")
     needs = max(widget.fontMetrics().horizontalAdvance(part) for part in parts or [""])
     if isinstance(widget, ElidedCombo):
         return needs * _READ

@@ -2,6 +2,7 @@
 """FreeCAD's window fills the screen, and a user with hands of flesh sits in front of it."""
 
 import sys
+import time
 from pathlib import Path
 
 import FreeCAD as App
@@ -10,6 +11,7 @@ import pytest
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "gui"))
 sys.path.append(str(Path(__file__).resolve().parents[1] / "app"))
+sys.path.append(str(Path(__file__).resolve().parents[1] / "core"))
 sys.path.append(str(Path(__file__).resolve().parents[2] / "tools"))
 
 import hands
@@ -19,6 +21,8 @@ from story import Story
 from user import User
 
 from BalloonWorkbench.core import faults
+
+_ANSWERED = 15.0  # s, a modal box
 
 
 @pytest.fixture(scope="session", autouse=True)
@@ -51,6 +55,9 @@ def workbench(monkeypatch):
         hands.leave()
     for document in list(App.listDocuments()):
         App.closeDocument(document)
+    for dock in hands.visible(hands.QtWidgets.QDockWidget):
+        if dock.objectName() == "Report view":
+            dock.hide()
     hands.wait(0.2)
     assert not told
 
@@ -60,6 +67,29 @@ def user():
     someone = User()
     yield someone
     someone.close()
+
+
+@pytest.fixture(autouse=True)
+def no_box_forever():
+    """A modal box that nobody answers would hold the test for good: it is closed, and the test fails."""
+    left, since = [], {}
+
+    def look():
+        box = hands.QtWidgets.QApplication.activeModalWidget()
+        if box is None:
+            since.clear()
+            return
+        told = f"{box.metaObject().className()}: {box.windowTitle()}"
+        if time.monotonic() > since.setdefault(told, hands.at_latest(_ANSWERED)):
+            left.append(told)
+            box.close()
+
+    timer = hands.QtCore.QTimer()
+    timer.timeout.connect(look)
+    timer.start(1000)
+    yield
+    timer.stop()
+    assert not left, f"nobody answers {left}"
 
 
 @pytest.fixture

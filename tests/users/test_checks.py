@@ -53,6 +53,17 @@ def test_a_text_that_is_cut_off(box):
     assert any(fault.startswith("cut off") for fault in faults(box))
 
 
+def test_a_cell_that_is_cut_off(box):
+    table = QtWidgets.QTableWidget(1, 1, box)
+    table.setGeometry(20, 60, 200, 100)
+    table.setItem(0, 0, QtWidgets.QTableWidgetItem("123456789 mm"))
+    table.show()
+    table.setColumnWidth(0, 150)
+    assert not any("a cell of" in fault for fault in faults(box))
+    table.setColumnWidth(0, 30)
+    assert any("a cell of" in fault for fault in faults(box))
+
+
 def test_widgets_on_each_other(box):
     other = QtWidgets.QLabel("400 mm", box)
     other.setGeometry(60, 25, 200, 30)

@@ -17,8 +17,8 @@ import sketches
 from brush import BLACK, BLUE, RED, QEvent, colour_at, is_closed, rgba, tablet
 from pointer import MIDDLE
 from promises import BEYOND, TUTORIAL, sentences
+from steps import paper
 from story import screen, view_box
-from test_child import opened
 from user import on_paper
 
 from BalloonWorkbench.app.border import status
@@ -61,7 +61,7 @@ def _first_stroke(user, story, says):
         Gui.activeWorkbench().MenuText == "Film Balloon"
         and "Paint a balloon" in first.text().replace("&", ""),
     )
-    window = opened()
+    window = paper()
     canvas = window.canvas
     place = hands.QtCore.QRect(canvas.mapToGlobal(canvas.rect().topLeft()), canvas.size())
     says(
@@ -170,7 +170,7 @@ def _made(user, story, says, folder):
 def _painted_on(user, story, says):
     doc = App.ActiveDocument
     user.open_in_tree(doc.Outline)
-    window = opened()
+    window = paper()
     says(
         "To paint on, double-click Outline in the tree: your strokes are all still there.",
         len(window.painting.steps) == 9 and is_painting(doc.Outline.Drawing),
@@ -215,7 +215,7 @@ def _changed(user, story, says):
 
 def test_tutorial_tools(user, story, says):
     user.command("BalloonWorkbench_Paint")
-    window = opened()
+    window = paper()
     _steps_and_view(user, story, says, window)
     _mirror_and_thickness(user, says, window)
     _tablet(says, window)

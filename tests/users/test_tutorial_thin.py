@@ -3,8 +3,8 @@
 
 import hands
 from brush import RED, arc
+from steps import paper
 from story import screen
-from test_child import opened
 from user import on_paper
 
 from BalloonWorkbench.app.drawings.qt_picture import pixels
@@ -12,7 +12,7 @@ from BalloonWorkbench.app.drawings.qt_picture import pixels
 
 def test_tutorial_thin_arm(user, story, says):
     user.command("BalloonWorkbench_Paint")
-    window = opened()
+    window = paper()
     canvas, live = window.canvas, window.live
     user.button(f"PaintColour{RED}")
     left, right = arc(0.3, 0.5, 0.18, 3, 357), arc(0.75, 0.5, 0.15, 178, -178)
@@ -26,7 +26,7 @@ def test_tutorial_thin_arm(user, story, says):
 def test_tutorial_lone_stroke(user, story, says):
     """A thin place may be all there is."""
     user.command("BalloonWorkbench_Paint")
-    window = opened()
+    window = paper()
     line = [(0.15 + 0.7 * k / 30, 0.5) for k in range(31)]
     user.button(f"PaintColour{RED}")
     user.paint(window.canvas, line)

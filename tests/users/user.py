@@ -131,18 +131,15 @@ class User:
         bar = Gui.getMainWindow().menuBar()
         action = next(a for a in bar.actions() if "Balloon" in a.text().replace("&", ""))
         self.click(bar.mapToGlobal(bar.actionGeometry(action).center()))
-        menu = action.menu()
         for name in names:
-            hands.wait_until(menu.isVisible, 10)
+            hands.wait_until(lambda name=name: _entry(name) is not None, 10)
             hands.wait(0.1)
-            action = next(a for a in menu.actions() if name in (a.objectName(), a.text().replace("&", "")))
-            self.click(menu.mapToGlobal(menu.actionGeometry(action).center()))
-            menu = action.menu() or menu
+            self.click(_entry(name))
 
     def open_in_tree(self, obj):
         """Double-click an object in the tree, which may still be moving: something opens."""
         for _ in range(_TRIES):
-            self.double_click(self._in_tree(obj))
+            self.double_click(self.in_tree(obj))
             hands.wait(1.0)
             if hands.panel_is_open() or any(window.isVisible() for window in paint_window._open):
                 return
@@ -151,13 +148,14 @@ class User:
     def select(self, obj):
         """Click an object in the tree, which may still be moving."""
         for _ in range(_TRIES):
-            self.click(self._in_tree(obj))
+            self.click(self.in_tree(obj))
             if obj in Gui.Selection.getSelection():
                 return
             hands.wait(0.6)
         raise AssertionError(f"{obj.Label} cannot be selected in the tree")
 
-    def _in_tree(self, obj):
+    def in_tree(self, obj):
+        """Where an object is in the tree, on the screen."""
         found = []
         hands.wait_until(lambda: found.append(self._place_in_tree(obj)) or found[-1] is not None, 10)
         return found[-1]
@@ -184,7 +182,8 @@ class User:
     def panel(self, name):
         """A button of the open panel's row: "Ok", "Cancel", "Close"."""
         hands.wait_until(hands.panel_is_seen)
-        button = hands.panel_buttons()[0].button(getattr(QtWidgets.QDialogButtonBox, name))
+        row = hands.panel_buttons()[0]  # kept: its buttons go with what Python knows of it
+        button = row.button(getattr(QtWidgets.QDialogButtonBox, name))
         assert button is not None, f"the panel has no {name}"
         show(button)  # FreeCAD 0.20 scrolls the row away with the rest
         self.click(button)
@@ -198,17 +197,24 @@ class User:
         hands.wait_until(lambda: len(canvas.painting.steps) != steps, 10)
 
     @contextmanager
-    def answering(self, path, expected=True):
-        """Type a path into the next chooser of files, and confirm it; the list is empty until then."""
+    def answering(self, text, kind="FileDialog", then=lambda: None, expected=True):
+        """Type a text into the next box of FreeCAD or Qt whose class or name is so, and confirm it.
+
+        The list is empty until then. The box may keep whoever opened it until it is closed.
+        then  what is done between typing and confirming
+        """
         done = []
 
         def look():
-            dialog = QtWidgets.QApplication.activeModalWidget()
-            if isinstance(dialog, QtWidgets.QFileDialog) and not done:
+            dialogs = hands.visible(QtWidgets.QDialog)
+            boxes = [d for d in dialogs if kind in f"{d.metaObject().className()} {d.objectName()}"]
+            if boxes and not done:
                 done.append(True)
                 hands.wait(0.3)
                 self.key("Ctrl", "a")
-                self.write(str(path))
+                self.write(str(text))
+                hands.wait(0.3)
+                then()
                 self.key("Return")
 
         timer = QtCore.QTimer()
@@ -216,7 +222,16 @@ class User:
         timer.start(300)
         yield done
         timer.stop()
-        assert done or not expected, "no chooser of files came"
+        assert done or not expected, f"no {kind} came"
+
+
+def _entry(name):
+    """Where an entry of the open menus is on the screen, by its name or its text; None without one."""
+    for menu in hands.visible(QtWidgets.QMenu):
+        for action in menu.actions():
+            if name in (action.objectName(), action.text().replace("&", "")):
+                return menu.mapToGlobal(menu.actionGeometry(action).center())
+    return None
 
 
 def _items(item):

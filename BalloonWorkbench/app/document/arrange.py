@@ -110,6 +110,9 @@ def boxes(objects, frame: App.Placement):
         if not obj.isDerivedFrom("App::GeoFeature"):
             continue  # asked for its shape, a group of FreeCAD 1.0 keeps one in the document
         mesh, shape = getattr(obj, "Mesh", None), getattr(obj, "Shape", None)
+        has_size = getattr(mesh, "CountPoints", 0) or (shape is not None and not shape.isNull())
+        if not (has_size or is_target(obj)):
+            continue  # paths of a machine have no global placement in FreeCAD 0.20
         place = frame.inverse() * obj.getGlobalPlacement()
         if is_target(obj):  # its seams do not go round all of the body
             box = _about(obj.BodySize).transformed(place.toMatrix())
@@ -119,11 +122,9 @@ def boxes(objects, frame: App.Placement):
         if getattr(mesh, "CountPoints", 0):
             own = mesh.copy()
             own.Placement = place
-        elif shape is not None and not shape.isNull():
+        else:
             # moved, not copied: that is 30 times as quick
             own = shape.transformed((place * shape.Placement.inverse()).toMatrix())
-        else:
-            continue
         box = own.BoundBox
         if box.isValid() and box.DiagonalLength < _ENDLESS:
             yield box

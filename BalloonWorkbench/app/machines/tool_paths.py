@@ -71,7 +71,8 @@ def job_file(
 def add_jobs(document, path: Path) -> list:
     """Bring the jobs of a file into a document; returns them."""
     before = {obj.Name for obj in document.Objects}
-    document.mergeProject(str(path))
+    with host.report_view_kept():
+        document.mergeProject(str(path))
     jobs = [obj for obj in document.Objects if obj.Name not in before and hasattr(obj, "Operations")]
     for job in jobs:
         job.Proxy.obj = job  # its operations ask for it; a job that is merged is not told

@@ -117,5 +117,6 @@ def test_seams_are_changed_without_the_mouse(cube):
     assert cube.PanelCount == 7, "this cut is its own mirror image"
     hands.type_into(places, "far away")
     assert "Type two places" in hands.message()
+    assert "Type two places" in hands.find("BodySeamHint").text(), "also where the user looks"
     hands.press("Cancel")
     hands.wait_until(hands.panel_is_closed)

@@ -251,8 +251,13 @@ def test_tool_paths_come_into_the_document_and_one_undo_takes_them_back(made, st
     choose("Foil on a laser")
     hands.screenshot("export_tool_paths")
     lines = lines_of_macro(stand_in)
+    docks = Gui.getMainWindow().findChildren(hands.QtWidgets.QDockWidget)
+    report = next(dock for dock in docks if dock.objectName() == "Report view")
+    report.hide()
     hands.press("Ok")
     hands.wait_until(hands.panel_is_closed)
+    hands.wait(0.3)
+    assert not report.isVisible(), "the report view comes up"
     (job,) = (obj for obj in document.Objects[before:] if obj.Name.startswith("Job"))
     (paths,) = job.Operations.Group
     assert "M4 S400" in paths.Path.toGCode()

@@ -35,6 +35,7 @@ from BalloonWorkbench.gui.panels.balloon.sketch_box import SketchBox
 from BalloonWorkbench.gui.panels.bodies.bag_box import BagBox
 from BalloonWorkbench.gui.panels.bodies.gored_box import GoredBox
 from BalloonWorkbench.gui.panels.bodies.target_box import TargetBox
+from BalloonWorkbench.gui.panels.widgets.narrow import fit_heights
 from BalloonWorkbench.gui.panels.widgets.pages import Pages
 from BalloonWorkbench.gui.panels.widgets.watch import Watch
 from BalloonWorkbench.gui.qt import QtCore, drawn_icon, translate
@@ -253,6 +254,7 @@ class BalloonPanel(TaskPanel):
         self.worker.progressed.connect(self.result.show_progress)
         self.worker.ended.connect(self.work_done)
         self.result.start()
+        fit_heights()
         self.worker.start()
         if not self.parts.balloon.SolvedFor and isinstance(current, Request):
             self.draft.begin(current)
@@ -334,6 +336,7 @@ class BalloonPanel(TaskPanel):
     def show_draft(self, draft):
         """Its measures, while the engine looks for the balloon."""
         self.result.show_draft(draft.inflation)
+        fit_heights()
         fit_all(Gui.getDocument(self.doc.Name))
 
     def fail(self, error: BalloonError):
@@ -347,6 +350,7 @@ class BalloonPanel(TaskPanel):
         for box in self.pages.boxes:
             box.refresh()
         self.result.show_result(self.parts)
+        fit_heights()
 
 
 def _page_of(outline, sketch: bool) -> type:

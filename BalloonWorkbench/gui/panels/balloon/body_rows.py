@@ -14,6 +14,7 @@ from BalloonWorkbench.core.results.body_figures import body_figures
 from BalloonWorkbench.core.units import from_mm, percent_text, to_mm, volume_text
 from BalloonWorkbench.gui.long_work.worker import Worker
 from BalloonWorkbench.gui.panels.making.maker_rows import value_label
+from BalloonWorkbench.gui.panels.widgets.narrow import fit_heights
 from BalloonWorkbench.gui.qt import translate
 from BalloonWorkbench.gui.window.sentences import translated
 from BalloonWorkbench.gui.window.user_units import length_text, lengths_text
@@ -55,6 +56,7 @@ class BodyRows:
             return
         for name, text in _slow_rows(worker.design):
             self._form.addRow(name, value_label(text))
+        fit_heights()
 
 
 class _Looking:

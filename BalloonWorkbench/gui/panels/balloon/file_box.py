@@ -10,6 +10,7 @@ from BalloonWorkbench.core.units import to_mm
 from BalloonWorkbench.gui.panels.widgets.drawing_preview import Preview, notes_of
 from BalloonWorkbench.gui.panels.widgets.file_page import FilePage
 from BalloonWorkbench.gui.panels.widgets.file_row import FileRow
+from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel
 from BalloonWorkbench.gui.qt import QtWidgets, translate
 from BalloonWorkbench.gui.window import file_dialogs as choose
 
@@ -28,8 +29,7 @@ class FileBox(FilePage):
         self._placed = "", ""  # the drawing, and how it is read, for which _place holds
         self._place = None
         self.preview = Preview()
-        self.notes = QtWidgets.QLabel()
-        self.notes.setWordWrap(True)
+        self.notes = WrappedLabel()
         form, sizes = self.form, {"Width": lambda: self._size()[0], "Height": lambda: self._size()[1]}
         form.addRow(QtWidgets.QLabel(translate("File")))
         form.addRow(self.file)

@@ -83,6 +83,7 @@ class ResultBox(QtWidgets.QWidget):
         message_row.addWidget(self._sign)
         message_row.addWidget(self._message, 1)
         self._measures = QtWidgets.QFormLayout()
+        self._measures.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
         self._maker, self._body = MakerRows(self._measures, short=True), BodyRows(self._measures)
         column = QtWidgets.QVBoxLayout(self)
         start = QtWidgets.QHBoxLayout()

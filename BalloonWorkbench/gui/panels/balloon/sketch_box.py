@@ -7,8 +7,9 @@ from BalloonWorkbench.app.properties.property_table import properties_of
 from BalloonWorkbench.core.options.drawing import ReadingOptions
 from BalloonWorkbench.gui.panels.widgets.drawing_preview import Preview, notes_of
 from BalloonWorkbench.gui.panels.widgets.fields import PropertyPage
+from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel
 from BalloonWorkbench.gui.panels.widgets.source_row import SourceRow
-from BalloonWorkbench.gui.qt import QtWidgets, translate
+from BalloonWorkbench.gui.qt import translate
 
 
 class SketchBox(PropertyPage):
@@ -20,8 +21,7 @@ class SketchBox(PropertyPage):
             outline, translate("Select a sketch, a wire or a face in the tree or the 3D view.")
         )
         self.preview = Preview()
-        self.notes = QtWidgets.QLabel()
-        self.notes.setWordWrap(True)
+        self.notes = WrappedLabel()
         self.form.addRow(self.source)
         for item in properties_of(ReadingOptions):
             if item.label:

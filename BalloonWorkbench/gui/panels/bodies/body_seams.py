@@ -41,6 +41,7 @@ class BodySeams(QtWidgets.QWidget):
         self._mouse: SeamMouse | None = None
         self._made: Division | None = None
         self._symmetry: tuple | None = None
+        self._objection = ""  # why the last change was not made
         self._surface: BodySurface | None = None
         self.tools = {tool: QtWidgets.QToolButton() for tool in SeamTool}
         self.hint, self.list = WrappedLabel(), _SeamRows(_HIGHEST)
@@ -94,6 +95,7 @@ class BodySeams(QtWidgets.QWidget):
         if not known:
             self.release()
             return
+        self._objection = ""
         made = self._made = target_object.division(self._obj)
         self._symmetry = None
         self._surface = BodySurface.of(made)
@@ -126,6 +128,7 @@ class BodySeams(QtWidgets.QWidget):
     def take(self, tool: SeamTool, taken: bool = True) -> None:
         """Take a tool in the hand, or lay it down."""
         self.release()
+        self._objection = ""
         view = Gui.getDocument(self._obj.Document.Name).activeView()
         if taken and not hasattr(view, "graphicsView"):
             self._refuse(translate("Bring the 3D view of the document to the front first."))
@@ -167,7 +170,7 @@ class BodySeams(QtWidgets.QWidget):
             edit = replace(edit_of(self._made), mirrored=self.mirrored.isChecked())
             with_edit(self._made, edit, self._planes(), alone=self._obj.Panels == 1)
         except BalloonError as error:
-            self._refuse(translated(str(error)))
+            self._object(translated(str(error)))
             return
         self._obj.SeamEdits = [*self._obj.SeamEdits, edit_text(edit)]
         self._edited()
@@ -204,11 +207,17 @@ class BodySeams(QtWidgets.QWidget):
         elif places is not None and len(places) == 1 and row >= 0:
             self.move(row, None, places[0])
         else:
-            self._refuse(
+            self._object(
                 translate(
                     "Type two places for a cut, such as 10 0 50; 10 20 50, or choose a seam and type one."
                 )
             )
+
+    def _object(self, sentence: str) -> None:
+        """Say why nothing changes: also here, where the user looks, as the panel may be scrolled."""
+        self._objection = sentence
+        self._refuse(sentence)
+        self._show_hint()
 
     def _show_hint(self) -> None:
         """What a click does now."""
@@ -221,7 +230,7 @@ class BodySeams(QtWidgets.QWidget):
             text = translate("Click a seam: its panels become one. Esc: done.")
         else:
             text = translate("Drag a seam to where it shall run. Esc: done.")
-        self.hint.setText(text)
+        self.hint.setText("\n".join(filter(None, (self._objection, text))))
 
 
 class _SeamRows(FullList):

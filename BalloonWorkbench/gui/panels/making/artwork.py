@@ -17,7 +17,7 @@ from BalloonWorkbench.core.options.option import snake
 from BalloonWorkbench.gui.paint.preview.painting_display import MODE
 from BalloonWorkbench.gui.panels import show
 from BalloonWorkbench.gui.panels.widgets.fields import PropertyForm
-from BalloonWorkbench.gui.panels.widgets.narrow import NarrowCombo, WrappedLabel
+from BalloonWorkbench.gui.panels.widgets.narrow import Message, NarrowCombo
 from BalloonWorkbench.gui.panels.widgets.object_panel import ObjectPanel
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.view3d.fit_view import fit_kept
@@ -49,8 +49,7 @@ class ArtworkPanel(ObjectPanel):
         )
         self.size = QtWidgets.QLabel()
         self.size.setObjectName("ArtworkSize")
-        self.message = WrappedLabel()
-        self.message.setObjectName("ArtworkMessage")
+        self.message = Message("ArtworkMessage")
         form = PropertyForm(self.fields, self.form)
         self.marks = NarrowCombo()
         self.marks.setObjectName("MarksFor")

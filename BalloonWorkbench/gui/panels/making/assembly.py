@@ -11,7 +11,7 @@ from BalloonWorkbench.core.assembly_sheet.page import PAGES
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.pages.fonts import can_show
 from BalloonWorkbench.gui.panels.making.maker_rows import MakerRows
-from BalloonWorkbench.gui.panels.widgets.narrow import NarrowForm, WrappedLabel
+from BalloonWorkbench.gui.panels.widgets.narrow import Message, NarrowForm
 from BalloonWorkbench.gui.panels.widgets.target_file import TargetFile, name_of
 from BalloonWorkbench.gui.panels.widgets.watch import Watch
 from BalloonWorkbench.gui.qt import QtGui, QtWidgets, icon, translate
@@ -34,8 +34,7 @@ class AssemblyPanel(TaskPanel):
         self.paper.addItems(list(PAGES))
         self.file = TargetFile(parts.balloon.Document, "AssemblyFile", translate("Assembly sheet"))
         self.file.suggest(f"{name_of(parts.balloon)}-assembly.pdf")
-        self.message = WrappedLabel()
-        self.message.setObjectName("AssemblyMessage")
+        self.message = Message("AssemblyMessage")
         form = NarrowForm(self.form)
         numbers = NarrowForm()
         self.numbers = MakerRows(numbers)

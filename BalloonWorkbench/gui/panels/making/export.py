@@ -18,7 +18,7 @@ from BalloonWorkbench.app.properties import preferences
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.options.making import REFUSE
 from BalloonWorkbench.gui.panels.making.machine_box import MachineBox
-from BalloonWorkbench.gui.panels.widgets.narrow import NarrowCombo, NarrowForm, WrappedLabel
+from BalloonWorkbench.gui.panels.widgets.narrow import Message, NarrowCombo, NarrowForm, WrappedLabel
 from BalloonWorkbench.gui.panels.widgets.target_file import TargetFile, name_of
 from BalloonWorkbench.gui.panels.widgets.watch import Watch
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, translate
@@ -56,8 +56,7 @@ class ExportPanel(TaskPanel):
         )
         self.size = WrappedLabel()
         self.size.setObjectName("Size")
-        self.message = WrappedLabel()
-        self.message.setObjectName("Message")
+        self.message = Message("Message")
         form = NarrowForm(self.form)
         for text, widget in (
             (translate("Pattern"), self.choice),

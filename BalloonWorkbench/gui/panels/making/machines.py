@@ -20,7 +20,7 @@ from BalloonWorkbench.core.machines.own.keep import (
     machine_data,
 )
 from BalloonWorkbench.gui.panels.making.machine_form import MachineForm
-from BalloonWorkbench.gui.panels.widgets.narrow import NarrowCombo, WrappedLabel
+from BalloonWorkbench.gui.panels.widgets.narrow import Message, NarrowCombo, WrappedLabel
 from BalloonWorkbench.gui.qt import QtGui, QtWidgets, icon, translate
 from BalloonWorkbench.gui.window.borders import TaskPanel
 from BalloonWorkbench.gui.window.sentences import translated
@@ -57,9 +57,8 @@ class MachinesPanel(TaskPanel):
         self.preferred = self._known(preferences.get("Machine"))
         self.choice = NarrowCombo()
         self.choice.setObjectName("MachineChoice")
-        self.note, self.message, self.question = WrappedLabel(), WrappedLabel(), WrappedLabel()
+        self.note, self.message, self.question = WrappedLabel(), Message("Message"), WrappedLabel()
         self.note.setObjectName("MachineNote")
-        self.message.setObjectName("Message")
         self.values = MachineForm()
         self.begins = QtWidgets.QCheckBox(translate("Export begins with it"))
         self.begins.setObjectName("ExportBegins")

@@ -14,7 +14,7 @@ from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.making.safety import WELD
 from BalloonWorkbench.core.units import area_text, mass_text, money_text, number_text, to_mm
 from BalloonWorkbench.gui.long_work.worker import Worker
-from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel
+from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel, fit_heights
 from BalloonWorkbench.gui.qt import QtCore, translate
 from BalloonWorkbench.gui.window.sentences import translated
 from BalloonWorkbench.gui.window.user_units import length_text, lengths_text, pressure_text, volume_text
@@ -66,6 +66,7 @@ class MakerRows:
             return
         for name, text in _rows(worker.design, self._short, self._seam):
             self._form.addRow(name, value_label(text))
+        fit_heights()
 
 
 class _Counting:

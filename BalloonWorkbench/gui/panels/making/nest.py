@@ -19,7 +19,7 @@ from BalloonWorkbench.core.units import percent_text
 from BalloonWorkbench.gui.panels import show
 from BalloonWorkbench.gui.panels.widgets.fields import PropertyForm
 from BalloonWorkbench.gui.panels.widgets.file_row import FileRow
-from BalloonWorkbench.gui.panels.widgets.narrow import FullList, WrappedLabel
+from BalloonWorkbench.gui.panels.widgets.narrow import FullList, Message, WrappedLabel
 from BalloonWorkbench.gui.panels.widgets.object_panel import ObjectPanel
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.view3d.fit_view import fit_all
@@ -63,8 +63,7 @@ class NestPanel(ObjectPanel):
         self.left.setToolTip(translate("Write what is left of the film to a file, for another layout"))
         self.result = WrappedLabel()
         self.result.setObjectName("NestResult")
-        self.message = WrappedLabel()
-        self.message.setObjectName("NestMessage")
+        self.message = Message("NestMessage")
         form = PropertyForm(self.fields, self.form)
         form.addRow(QtWidgets.QLabel(translate("Patterns")))
         form.addRow(self.choice)

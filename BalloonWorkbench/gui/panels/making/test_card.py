@@ -14,7 +14,7 @@ from BalloonWorkbench.core.machines.machine import bed_text
 from BalloonWorkbench.core.test_cards.files import CARD_FILE
 from BalloonWorkbench.gui.panels.making.card_page import CardPage
 from BalloonWorkbench.gui.panels.making.field_page import FieldPage
-from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel
+from BalloonWorkbench.gui.panels.widgets.narrow import Message
 from BalloonWorkbench.gui.panels.widgets.pages import Pages
 from BalloonWorkbench.gui.qt import QtGui, QtWidgets, icon, translate
 from BalloonWorkbench.gui.window import macro_recorder
@@ -32,8 +32,7 @@ class TestCardPanel(TaskPanel):
         self.form.setWindowIcon(QtGui.QIcon(icon("test_card")))
         kinds = {translate("Make a card"): CardPage, translate("Keep the best"): self._field_page}
         self.pages = Pages(kinds.items())
-        self.message = WrappedLabel()
-        self.message.setObjectName("Message")
+        self.message = Message("Message")
         column = QtWidgets.QVBoxLayout(self.form)
         column.addWidget(self.pages)
         column.addWidget(self.message)

@@ -7,7 +7,7 @@ import FreeCADGui as Gui
 
 from BalloonWorkbench.app.sharing.share import GLB, PAGE, PICTURE, write_shared
 from BalloonWorkbench.core.errors import BalloonError
-from BalloonWorkbench.gui.panels.widgets.narrow import NarrowCombo, NarrowForm, WrappedLabel
+from BalloonWorkbench.gui.panels.widgets.narrow import Message, NarrowCombo, NarrowForm
 from BalloonWorkbench.gui.panels.widgets.target_file import TargetFile, name_of
 from BalloonWorkbench.gui.panels.widgets.watch import Watch
 from BalloonWorkbench.gui.qt import QtGui, QtWidgets, icon, translate
@@ -38,8 +38,7 @@ class SharePanel(TaskPanel):
         self.transparent.setObjectName("TransparentGround")
         self.transparent.setToolTip(translate("Nothing behind the balloon; else the picture is on white"))
         self.file = TargetFile(parts.balloon.Document, "SharedFile", translate("Export for the web"))
-        self.message = WrappedLabel()
-        self.message.setObjectName("ShareMessage")
+        self.message = Message("ShareMessage")
         form = NarrowForm(self.form)
         for text, widget in ((translate("What"), self.kind), (translate("File"), self.file)):
             form.addRow(QtWidgets.QLabel(text))

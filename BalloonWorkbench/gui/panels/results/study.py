@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -28,6 +29,8 @@ from BalloonWorkbench.gui.window.borders import undo_step
 from BalloonWorkbench.gui.window.sentences import translated
 
 _LOWEST, _MOST_STEPS = 150, 1000  # px; rows that are made of one
+_DIGITS = 4  # of a number in the table
+_LONG = re.compile(r"\d+\.\d{4,}")  # a number with more
 
 
 def show_panel(obj) -> None:
@@ -101,7 +104,8 @@ class StudyPanel(ObjectPanel):
         self.make_rows.setToolTip(translate("Each row of the table once with each of these values"))
         self.rows.setMinimumHeight(_LOWEST)
         self.rows.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
-        self.rows.horizontalHeader().setSectionResizeMode(QtWidgets.QHeaderView.Stretch)
+        self.rows.horizontalHeader().setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
+        self.rows.horizontalHeader().setStretchLastSection(True)
         self.rows.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
         self.rows.setToolTip(translate("Double-click a row to see its balloon"))
         self.take.setToolTip(translate("Give the document the values of the chosen row"))
@@ -192,7 +196,8 @@ class StudyPanel(ObjectPanel):
             self.message.setText(translated(str(error)))
             return
         self.obj.Table.recompute()
-        self.read()
+        if self.read():
+            self.across.setCurrentText(self.column.currentText())
 
     # what is known
 
@@ -219,11 +224,23 @@ class StudyPanel(ObjectPanel):
                 item = QtWidgets.QTableWidgetItem(text)
                 item.setToolTip(translated(str(row_results.get(FAILURE) or "")))
                 self.rows.setItem(place, column, item)
+        self._hide_equal(len(inputs))
         self._say_counts()
         self._show_plot()
 
+    def _hide_equal(self, inputs: int) -> None:
+        """A panel is narrow: inputs that are the same in all rows are not shown, unless all are."""
+        texts = [
+            {self.rows.item(row, column).text() for row in range(self.rows.rowCount())}
+            for column in range(inputs)
+        ]
+        vary = [len(each) > 1 for each in texts]
+        for column, varies in enumerate(vary):
+            self.rows.setColumnHidden(column, any(vary) and not varies)
+
     def _input_text(self, letters: str, number: int) -> str:
-        return str(self.obj.Table.getContents(f"{letters}{number}")).lstrip("='")
+        text = str(self.obj.Table.getContents(f"{letters}{number}")).lstrip("='")
+        return _LONG.sub(lambda digits: number_text(float(digits[0]), _DIGITS), text)
 
     def _say_counts(self) -> None:
         failures = [str(each[FAILURE]) for each in self.row_results.values() if each.get(FAILURE)]
@@ -368,7 +385,7 @@ class StudyPanel(ObjectPanel):
             self.worker.abandon()
             self.worker = None
         self._keep()
-        self.obj.recompute()
+        self.doc.recompute([self.obj])
         self.keep()
         if self.table is not None and self.obj.Balloon is not None and self.obj.Table is not None:
             rows = repr(studies.variants_of(self.obj, self.table))
@@ -382,4 +399,4 @@ def _text(value) -> str:
         return ""
     if isinstance(value, bool):
         return translate("yes") if value else translate("no")
-    return number_text(value, 4) if isinstance(value, (int, float)) else str(value)
+    return number_text(value, _DIGITS) if isinstance(value, (int, float)) else str(value)

@@ -3,11 +3,20 @@
 
 from __future__ import annotations
 
-from BalloonWorkbench.gui.qt import QtCore, QtWidgets, painter_on
+from BalloonWorkbench.gui.qt import QtCore, QtWidgets, number_of, painter_on
 
 _ROOM = 180  # px, for a name and its field in a panel as FreeCAD opens it
 _ARROW = 24  # px, and the frame, beside an entry
+_LEVELS = 8  # of widgets from a row of a page to what scrolls
 _BESIDE = 4  # px, that themes leave free at the sides of an entry
+
+
+def fit_heights() -> None:
+    """Let all that is open take its height now: Qt hands it up by a level in each turn of the event loop, and
+    until it is at the top the rows of a page lie on each other.
+    """
+    for _ in range(_LEVELS):
+        QtCore.QCoreApplication.sendPostedEvents(None, number_of(QtCore.QEvent.LayoutRequest))
 
 
 class NarrowForm(QtWidgets.QFormLayout):
@@ -64,7 +73,16 @@ def _whole_width(choice) -> int:
 
 
 class ElidedCombo(QtWidgets.QComboBox):
-    """A choice that leaves out the end of an entry where there is no room for it."""
+    """A choice that leaves out the end of an entry where there is no room; its tooltip has the whole."""
+
+    _is_elided = False
+
+    def event(self, event):
+        if event.type() != QtCore.QEvent.ToolTip or not self._is_elided:
+            return super().event(event)
+        text = "\n".join(dict.fromkeys((self.currentText(), self.toolTip())))
+        QtWidgets.QToolTip.showText(event.globalPos(), text.strip(), self)
+        return True
 
     def paintEvent(self, event):
         option = QtWidgets.QStyleOptionComboBox()
@@ -75,6 +93,7 @@ class ElidedCombo(QtWidgets.QComboBox):
         option.currentText = self.fontMetrics().elidedText(
             option.currentText, QtCore.Qt.ElideRight, room.width() - _BESIDE
         )
+        self._is_elided = option.currentText != self.currentText()
         painter = QtWidgets.QStylePainter(self)
         painter.drawComplexControl(QtWidgets.QStyle.CC_ComboBox, option)
         painter.drawControl(QtWidgets.QStyle.CE_ComboBoxLabel, option)
@@ -127,6 +146,31 @@ class WrappedLabel(QtWidgets.QLabel):
 
     def _fit(self) -> None:
         self.setMinimumHeight(max(self.heightForWidth(self.width()), 0))
+
+
+class Message(WrappedLabel):
+    """What comes of what the user has just done: it is scrolled to where it would not be seen."""
+
+    def __init__(self, name: str, text: str = ""):
+        super().__init__(text)
+        self.setObjectName(name)
+        self._soon = QtCore.QTimer(self)
+        self._soon.setSingleShot(True)
+        self._soon.timeout.connect(self._be_seen)
+
+    def setText(self, text: str) -> None:
+        """Tell something else."""
+        if text and text != self.text():
+            self._soon.start(0)
+        super().setText(text)
+
+    def _be_seen(self) -> None:
+        fit_heights()
+        parent = self.parentWidget()
+        while parent is not None and not isinstance(parent, QtWidgets.QScrollArea):
+            parent = parent.parentWidget()
+        if parent is not None and self.isVisible():
+            parent.ensureWidgetVisible(self)
 
 
 class FullList(QtWidgets.QListWidget):

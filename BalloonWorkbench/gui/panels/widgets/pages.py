@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from BalloonWorkbench.gui.panels.widgets.narrow import fit_heights
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets
 
 #: The page in front is marked in every theme, and its title stays as readable as the others.
@@ -81,6 +82,7 @@ class Pages(QtWidgets.QWidget):
         self._buttons[index].setChecked(True)
         for number, box in self._boxes.items():
             box.setVisible(number == index)
+        fit_heights()
         self.currentChanged.emit(index)
 
     def resizeEvent(self, event):

@@ -1,38 +1,36 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A child paints a fish, makes it, and paints on."""
+"""Scene 1: a child paints a fish, has a thin arm widened, says how wide, makes it, and paints on."""
+
+import re
 
 import fish_painting as fish
 import FreeCAD as App
 import hands
-from brush import BLUE, RED, colour_at, is_closed
+import steps
+from brush import BLUE, RED, arc, colour_at, is_closed
 from story import JUMP, most_change
 from user import on_paper
 
-from BalloonWorkbench.gui.paint import window as paint_window
+from BalloonWorkbench.app.drawings.qt_picture import pixels
+
+#: A thread from the back of the fish with a bobble at its end, in one stroke.
+_BOBBLE = [(0.436, 0.22), (0.436, 0.14), *arc(0.44, 0.09, 0.05, 95, 445), (0.444, 0.14), (0.444, 0.22)]
 
 
-def opened():
-    hands.wait_until(lambda: bool(paint_window._open))
-    window = paint_window._open[0]
-    hands.wait_until(lambda: window.canvas.isVisible() and window.canvas.width() > 300)
-    hands.wait(0.5)
-    return window
-
-
-def test_child(user, story):
+def test_scene_1_paint(user, story, tmp_path):
     user.command("BalloonWorkbench_Paint")
-    window = opened()
+    window = steps.paper()
     story.step("paper")
     _first_stroke(user, story, window)
+    _thin_arm(user, story, window)
     _colours(user, story, window)
-    _made(user, story)
+    _made(user, story, tmp_path / "fish.pdf")
     _painted_on(user, story)
 
 
 def _first_stroke(user, story, window):
     canvas, live = window.canvas, window.live
     box = canvas.mapToGlobal(canvas.rect().topLeft()), canvas.size()
-
     user.button(f"PaintColour{BLUE}")
     user.paint(canvas, fish.RIM)
     hands.wait_until(window.scene.is_shown, 30)
@@ -40,12 +38,35 @@ def _first_stroke(user, story, window):
     story.step("first-stroke")
     moved = (canvas.mapToGlobal(canvas.rect().topLeft()), canvas.size()) != box
     story.expect(not moved, "the paper moves while the first stroke is drawn")
+    story.expect(canvas.scale.is_visible, "no hand shows the scale while the width is asked for")
     user.replace(window.card.field, "25", confirm=False)
     user.button("PaintSizeDone")
     story.expect(not window.card.isVisible(), "the question for the width stays after its answer")
     hands.wait_until(live.is_settled, 60)
     story.expect(abs(live.width - 250) < 1, f"the width is {live.width}, not 250 mm")
     story.step("width")
+
+
+def _thin_arm(user, story, window):
+    canvas, live = window.canvas, window.live
+    user.paint(canvas, _BOBBLE)
+    hands.wait_until(lambda: live.is_settled() and canvas.thin.asked() is not None, 60)
+    hands.wait(0.3)
+    story.step("thin-arm")
+    remark = canvas.thin.remarks[canvas.thin.asked()]
+    story.expect("mm" in remark.question, f"the question names no width: {remark.question}")
+    before = (pixels(window.painting.image)[..., 3] > 127).sum()
+    user.click(canvas.mapToGlobal(canvas.thin.question_place().toPoint()))
+    hands.wait_until(live.is_settled, 60)
+    hands.wait(0.5)
+    story.step("arm-widened")
+    story.expect(canvas.thin.asked() is None, "the arm is asked about once more")
+    after = (pixels(window.painting.image)[..., 3] > 127).sum()
+    story.expect(after > before, "a click on the question does not widen the arm")
+    user.key("Ctrl", "z")
+    user.key("Ctrl", "z")
+    hands.wait_until(live.is_settled, 60)
+    story.expect(len(window.painting.steps) == 1, "widening and arm are not a step each")
 
 
 def _colours(user, story, window):
@@ -69,21 +90,25 @@ def _colours(user, story, window):
     only_colours("stripe", lambda: user.paint(canvas, fish.STRIPES[0]))
 
 
-def _made(user, story):
+def _made(user, story, file):
     user.button("PaintMake")
     hands.wait_until(is_closed, 60)
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     hands.wait(0.5)
     story.step("made")
-    user.panel("Cancel")
-    hands.wait_until(hands.panel_is_closed)
+    story.expect(hands.find("Pages").currentText() == "A4", "the pattern is not tiled on A4")
+    user.replace(hands.find("File"), str(file), confirm=False)
+    steps.leave(user)
     story.step("in-the-document")
+    pages = len(re.findall(rb"/Type */Page\b", file.read_bytes()))
+    story.expect(pages > 1, f"the pattern is on {pages} pages of A4")
+    story.expect(str(file) in steps.status_text(), "nothing tells where the pattern was written")
     story.expect(len(App.ActiveDocument.UndoNames) == 1, "making it is more than one step to undo")
 
 
 def _painted_on(user, story):
     user.open_in_tree(App.ActiveDocument.Outline)
-    window = opened()
+    window = steps.paper()
     canvas = window.canvas
     hands.wait_until(window.live.is_settled, 60)
     story.step("paint-on")
