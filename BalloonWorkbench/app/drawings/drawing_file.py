@@ -13,6 +13,8 @@ from BalloonWorkbench.core.tracing.segment import AS_PEN, AUTO
 
 #: Name of the text in a PNG file that holds the strokes of a painting.
 KEY = "FilmBalloonPainting"
+#: And of the one with the painting's shape as it is without its decoration, a PNG file as Base64.
+SHAPE_KEY = "FilmBalloonShape"
 _HEAD = 4096  # bytes in which its name appears, before the pixels
 
 
@@ -75,9 +77,11 @@ def shapes_in(file: File, size: tuple, symmetry: str, drawn_as: str):
     from BalloonWorkbench.core.outline.validity import scale_to
     from BalloonWorkbench.core.readers import read
 
-    drawing, kind = read.read_drawing(file.path, *size, decode=decoder(), drawn_as=drawn_as)
+    painted = is_painting(file.path)
+    decode = (lambda _path: shape_of(file)) if painted else decoder()
+    drawing, kind = read.read_drawing(file.path, *size, decode=decode, drawn_as=drawn_as)
     drawing = scale_to(evened(drawing, symmetry, drawn=kind == "picture"), *size)
-    if is_painting(file.path):
+    if painted:
         first, *others = drawing.parts
         first = replace(first, notes=tuple(note for note in first.notes if note != AS_PEN))
         drawing = replace(drawing, parts=(first, *others))
@@ -91,6 +95,17 @@ def pixels_of(file: File):
 
     picture_size(file.path)
     return (decoder() or decode)(file.path)
+
+
+@memoized(most=4)
+def shape_of(file: File):
+    """The pixels of a picture file as `pixels_of` that its outline comes from: of a painting without its
+    decoration. Raises BalloonError.
+    """
+    from BalloonWorkbench.app.drawings.qt_picture import layer_in
+
+    shape = layer_in(file.path, SHAPE_KEY) if is_painting(file.path) else None
+    return pixels_of(file) if shape is None else shape
 
 
 def decoder():
@@ -121,7 +136,7 @@ def _place(file: File, drawn_as: str) -> tuple[float, float, float, float] | Non
     from BalloonWorkbench.core.tracing.picture import placed_drawing, shrunk
 
     try:
-        rgba = shrunk(pixels_of(file))
+        rgba = shrunk(shape_of(file))
         drawing, corner = placed_drawing(rgba, drawn_as=drawn_as)
     except BalloonError:
         return None

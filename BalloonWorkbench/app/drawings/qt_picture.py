@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+from base64 import b64decode
 from pathlib import Path
 
 import numpy as np
@@ -39,6 +40,13 @@ def decode(path: str | os.PathLike[str]) -> np.ndarray:
             "Save it as PNG, JPEG or BMP once more."
         )
     return pixels(image)
+
+
+def layer_in(path: str | os.PathLike[str], key: str) -> np.ndarray | None:
+    """Pixels (h, w, 4) of the PNG file that a text of another one holds as Base64; None without one."""
+    image = QtGui.QImage(os.fspath(path))
+    layer = QtGui.QImage.fromData(b64decode(image.text(key)))
+    return pixels(layer) if layer.size() == image.size() and not layer.isNull() else None
 
 
 def pixels(image) -> np.ndarray:
