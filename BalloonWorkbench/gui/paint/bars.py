@@ -64,10 +64,11 @@ class ToolButtons(Buttons):
             self._group.addButton(button)
 
     def show_chosen(self, tool) -> None:
-        """The button of a tool is down, here or in another bar of the group."""
+        """The button of a tool is down, here or in another bar of the group; the key Tab goes to it."""
         for button in self._group.buttons():
-            if button.objectName() == f"Paint{tool.name.title()}":
-                button.setChecked(True)
+            is_chosen = button.objectName() == f"Paint{tool.name.title()}"
+            button.setChecked(is_chosen)
+            button.setFocusPolicy(QtCore.Qt.TabFocus if is_chosen else QtCore.Qt.NoFocus)
 
 
 class ToolBox(ToolButtons):
