@@ -93,12 +93,11 @@ class StrokeInput(QtCore.QObject):
             self.cancel()
             return
         self.stroke, self.bending = None, False
-        layer = self.painting.layer(stroke.layer)
         if stroke.tool == PEN and stroke.is_nearly_closed():
             stroke.points.append(stroke.points[0])
-            stroke.paint_part(layer, len(stroke.points) - 1)
+            self.painting.draw_part(stroke, len(stroke.points) - 1)
         if stroke.tool != LINE:
-            stroke.paint_part(layer, len(stroke.points))
+            self.painting.draw_part(stroke, len(stroke.points))
         self.painting.do(stroke, painted=stroke.tool != LINE)
 
     def cancel(self) -> None:
@@ -122,7 +121,7 @@ class StrokeInput(QtCore.QObject):
         stroke = self.stroke
         stroke.points.append((*_place(at), round(self._width(pressure), 2)))
         if stroke.tool != LINE:
-            stroke.paint_part(self.painting.layer(stroke.layer), len(stroke.points) - 1)
+            self.painting.draw_part(stroke, len(stroke.points) - 1)
 
     def _pull(self, at) -> None:
         """The end of a line, or its bow, follows the pointer."""

@@ -48,21 +48,36 @@ def enclosed(shape):
     return mask.copy()
 
 
-def together(shape, decoration, inside):
-    """The shape with the decoration on it, and in what it encloses; beside it there is none."""
-    image = shape.copy()
+class Together:
+    """The shape with the decoration on it, and in what it encloses; beside it there is none.
+
+    image  of both, once `follow` was called
+    """
+
+    def __init__(self) -> None:
+        self.image, self._film = blank(), blank()
+
+    def follow(self, shape, decoration, inside, changed) -> None:
+        """Take over what has changed, a region; inside: see `enclosed`."""
+        modes = QtGui.QPainter
+        if inside is not None:
+            _lay(self._film, changed, (decoration, modes.CompositionMode_Source))
+            _lay(self._film, changed, (inside, modes.CompositionMode_DestinationIn))
+        _lay(
+            self.image,
+            changed,
+            (shape, modes.CompositionMode_Source),
+            (decoration, modes.CompositionMode_SourceAtop),
+        )
+        if inside is not None:
+            _lay(self.image, changed, (self._film, modes.CompositionMode_DestinationOver))
+
+
+def _lay(image, region, *others) -> None:
+    """Draw others on an image, within a region, each with its mode."""
     painter = QtGui.QPainter(image)
-    painter.setCompositionMode(QtGui.QPainter.CompositionMode_SourceAtop)
-    painter.drawImage(0, 0, decoration)
+    painter.setClipRegion(region)
+    for other, mode in others:
+        painter.setCompositionMode(mode)
+        painter.drawImage(0, 0, other)
     painter.end()
-    if inside is not None:
-        film = decoration.copy()
-        painter = QtGui.QPainter(film)
-        painter.setCompositionMode(QtGui.QPainter.CompositionMode_DestinationIn)
-        painter.drawImage(0, 0, inside)
-        painter.end()
-        painter = QtGui.QPainter(image)
-        painter.setCompositionMode(QtGui.QPainter.CompositionMode_DestinationOver)
-        painter.drawImage(0, 0, film)
-        painter.end()
-    return image

@@ -18,11 +18,12 @@ from BalloonWorkbench.gui.paint.painting.layers import (
     DECORATION,
     LAYERS,
     SHAPE,
+    SIDE,
+    Together,
     blank,
     enclosed,
     is_blank,
     most_alpha,
-    together,
 )
 from BalloonWorkbench.gui.paint.painting.pieces import (
     CLEAR,
@@ -39,6 +40,7 @@ from BalloonWorkbench.gui.paint.painting.strokes import BRUSH, ERASER, FILL, LIN
 from BalloonWorkbench.gui.paint.painting.widen import WIDEN, Widen
 from BalloonWorkbench.gui.qt import QtCore, QtGui, translate
 
+_PAPER = QtCore.QRect(0, 0, SIDE, SIDE)
 _KEPT = 8  # steps between two copies of the picture
 _COPIES = 12
 _MOST_TEXT = 4_000_000  # characters; readers of PNG refuse longer ones
@@ -69,6 +71,8 @@ class Painting(QtCore.QObject):
         self._is_decorated = False
         self._inside: object | None = None  # what the shape encloses
         self._is_inside_known = False
+        self._both = Together()
+        self._changed = QtGui.QRegion(_PAPER)  # since both were put together
 
     @property
     def image(self):
@@ -77,7 +81,11 @@ class Painting(QtCore.QObject):
             return self.layers[SHAPE]
         if not self._is_inside_known:
             self._inside, self._is_inside_known = enclosed(self.layers[SHAPE]), True
-        return together(self.layers[SHAPE], self.layers[DECORATION], self._inside)
+            self._changed = QtGui.QRegion(_PAPER)
+        if not self._changed.isEmpty():
+            self._both.follow(self.layers[SHAPE], self.layers[DECORATION], self._inside, self._changed)
+            self._changed = QtGui.QRegion()
+        return self._both.image
 
     @property
     def steps(self) -> tuple:
@@ -94,10 +102,12 @@ class Painting(QtCore.QObject):
         """There is no shape."""
         return is_blank(self.layers[SHAPE])
 
-    def layer(self, name: str):
-        """The image of a layer, to be painted on."""
-        self._is_decorated |= name == DECORATION
-        return self.layers[name]
+    def draw_part(self, stroke: PaintStroke, number: int) -> None:
+        """Paint a piece of a stroke that is being drawn, see `PaintStroke.paint_part`."""
+        self._is_decorated |= stroke.layer == DECORATION
+        changed = stroke.paint_part(self.layers[stroke.layer], number)
+        if self._is_decorated:
+            self._changed += changed
 
     def do(self, step, painted: bool = False) -> None:
         """One more step; painted: it is on the image already. Raises what the step raises."""
@@ -136,6 +146,7 @@ class Painting(QtCore.QObject):
         self.layers = {name: copies[name].copy() if copies else blank() for name in LAYERS}
         self._is_decorated = most_alpha(self.layers[DECORATION]) > 0
         self._is_inside_known = False
+        self._changed = QtGui.QRegion(_PAPER)
         for step in self._steps[start:]:
             self._paint(step)
         self.touch()
@@ -176,7 +187,9 @@ class Painting(QtCore.QObject):
         seen = self.image if step.tool == FILL and step.layer == DECORATION else None
         for name in step.layers:
             if name == SHAPE or len(step.layers) == 1 or self._is_decorated:
-                step.paint(self.layer(name), seen)
+                self._is_decorated |= name == DECORATION
+                step.paint(self.layers[name], seen)
+        self._changed = QtGui.QRegion(_PAPER)
         self._is_inside_known &= SHAPE not in step.layers
         self._is_decorated &= step.tool != CLEAR
 

@@ -56,10 +56,10 @@ class PaintStroke:
         gap = float(np.hypot(end[0] - x, end[1] - y))
         return len(self.points) > _ROUND and gap < _GAP + 1.5 * width
 
-    def paint_part(self, image, number: int) -> None:
+    def paint_part(self, image, number: int):
         """Draw the piece that came with one more point, so that a stroke grows while it is drawn.
 
-        The piece after the last point ends the stroke.
+        The piece after the last point ends the stroke. Returns the region that has changed (QRegion).
         """
         painter = QtGui.QPainter(image)
         painter.setRenderHint(QtGui.QPainter.Antialiasing)
@@ -67,7 +67,10 @@ class PaintStroke:
             painter.setCompositionMode(QtGui.QPainter.CompositionMode_DestinationOut)
         piece, width = self._piece(number)
         colour = QtGui.QColor(self.colour)
+        margin = 0.5 * width + _SOFT
+        box, changed = piece.boundingRect().adjusted(-margin, -margin, margin, margin), QtGui.QRegion()
         for transform in self.symmetry.transforms:
+            changed += transform.mapRect(box).toAlignedRect()
             painter.setTransform(transform)
             if self.tool == BRUSH:
                 rim = QtGui.QColor(colour)
@@ -75,6 +78,7 @@ class PaintStroke:
                 painter.strokePath(piece, _pen(rim, width + _SOFT))
             painter.strokePath(piece, _pen(colour, width))
         painter.end()
+        return changed
 
     def _piece(self, number: int):
         """From the middle of the last two points round to that of the next two: a smooth line."""
