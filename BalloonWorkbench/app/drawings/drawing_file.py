@@ -13,8 +13,6 @@ from BalloonWorkbench.core.tracing.segment import AS_PEN, AUTO
 
 #: Name of the text in a PNG file that holds the strokes of a painting.
 KEY = "FilmBalloonPainting"
-#: And of the one with the painting's shape as it is without its decoration, a PNG file as Base64.
-SHAPE_KEY = "FilmBalloonShape"
 _HEAD = 4096  # bytes in which its name appears, before the pixels
 
 
@@ -78,7 +76,7 @@ def shapes_in(file: File, size: tuple, symmetry: str, drawn_as: str):
     from BalloonWorkbench.core.readers import read
 
     painted = is_painting(file.path)
-    decode = (lambda _path: shape_of(file)) if painted else decoder()
+    decode = (lambda _path: drawn_pixels_of(file)) if painted else decoder()
     drawing, kind = read.read_drawing(file.path, *size, decode=decode, drawn_as=drawn_as)
     drawing = scale_to(evened(drawing, symmetry, drawn=kind == "picture"), *size)
     if painted:
@@ -98,14 +96,18 @@ def pixels_of(file: File):
 
 
 @memoized(most=4)
-def shape_of(file: File):
+def drawn_pixels_of(file: File):
     """The pixels of a picture file as `pixels_of` that its outline comes from: of a painting without its
     decoration. Raises BalloonError.
     """
-    from BalloonWorkbench.app.drawings.qt_picture import layer_in
+    from BalloonWorkbench.core.tracing.picture_file import decode_shape, shape_in
 
-    shape = layer_in(file.path, SHAPE_KEY) if is_painting(file.path) else None
-    return pixels_of(file) if shape is None else shape
+    if decoder() is None:
+        return decode_shape(file.path)
+    from BalloonWorkbench.app.drawings.qt_picture import unpacked
+
+    shape = shape_in(file.path)
+    return pixels_of(file) if shape is None else unpacked(shape, file.path.name)
 
 
 def decoder():
@@ -136,7 +138,7 @@ def _place(file: File, drawn_as: str) -> tuple[float, float, float, float] | Non
     from BalloonWorkbench.core.tracing.picture import placed_drawing, shrunk
 
     try:
-        rgba = shrunk(shape_of(file))
+        rgba = shrunk(drawn_pixels_of(file))
         drawing, corner = placed_drawing(rgba, drawn_as=drawn_as)
     except BalloonError:
         return None

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import os
-from base64 import b64decode
 from pathlib import Path
 
 import numpy as np
@@ -42,11 +41,12 @@ def decode(path: str | os.PathLike[str]) -> np.ndarray:
     return pixels(image)
 
 
-def layer_in(path: str | os.PathLike[str], key: str) -> np.ndarray | None:
-    """Pixels (h, w, 4) of the PNG file that a text of another one holds as Base64; None without one."""
-    image = QtGui.QImage(os.fspath(path))
-    layer = QtGui.QImage.fromData(b64decode(image.text(key)))
-    return pixels(layer) if layer.size() == image.size() and not layer.isNull() else None
+def unpacked(content: bytes, name: str) -> np.ndarray:
+    """Pixels (h, w, 4) as of `decode` from the content of a PNG file, which comes from the file `name`."""
+    image = QtGui.QImage.fromData(content)
+    if image.isNull():
+        raise PictureError(f"'{name}' is damaged or not a picture. Save it as PNG, JPEG or BMP once more.")
+    return pixels(image)
 
 
 def pixels(image) -> np.ndarray:

@@ -168,5 +168,6 @@ def _focusable(part) -> list:
     return [
         each
         for each in (part, *part.findChildren(QtWidgets.QWidget))
-        if isinstance(each, QtWidgets.QAbstractButton) or each.focusPolicy() & QtCore.Qt.TabFocus
+        if each.window() is part.window()  # not in a list that opens
+        and (isinstance(each, QtWidgets.QAbstractButton) or each.focusPolicy() & QtCore.Qt.TabFocus)
     ]

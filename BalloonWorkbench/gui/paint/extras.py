@@ -9,7 +9,7 @@ from BalloonWorkbench.gui.paint.bars import ActionBar, ToolBox
 from BalloonWorkbench.gui.paint.canvas.canvas_widget import Canvas
 from BalloonWorkbench.gui.paint.more_bar import LAYER_TITLES, MoreBar, PaintChoices
 from BalloonWorkbench.gui.paint.painting.incoming import copied
-from BalloonWorkbench.gui.paint.painting.layers import DECORATION, SHAPE, SIDE
+from BalloonWorkbench.gui.paint.painting.layers import DECORATION, SHAPE, SIDE, most_alpha
 from BalloonWorkbench.gui.paint.painting.pictures import Pictures
 from BalloonWorkbench.gui.paint.painting.pieces import CutAway
 from BalloonWorkbench.gui.paint.painting.tools import COLOURS, MORE_TOOLS, PIPETTE
@@ -115,6 +115,11 @@ class Extras(QtCore.QObject):
         self._dialog.setCurrentColor(QtGui.QColor(self.hand.colour))
         self._dialog.show()
 
+    def close(self) -> None:
+        """The window closes: what stands beside it goes too."""
+        if self._dialog is not None:
+            self._dialog.close()
+
     def paint_on(self, layer: str) -> None:
         """Paint on the shape or the decoration."""
         self.canvas.finish()
@@ -182,7 +187,11 @@ class Extras(QtCore.QObject):
             self.canvas.finish()
             box = selection.box or (0, 0, SIDE, SIDE)
             image = self.painting.image if self.hand.layer == SHAPE else self.painting.layers[DECORATION]
-            QtWidgets.QApplication.clipboard().setMimeData(copied(image.copy(*box)))
+            piece = image.copy(*box)
+            if not most_alpha(piece):
+                self.message.emit(translate("There is nothing to copy: paint something, or select it."))
+                return
+            QtWidgets.QApplication.clipboard().setMimeData(copied(piece))
             if name == "cut":
                 self.painting.do(CutAway(box, self.hand.layer))
 

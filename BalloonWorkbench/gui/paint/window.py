@@ -140,6 +140,7 @@ class PaintWindow(PaintDock):
     def leave(self) -> None:
         """Closed, now or for good."""
         self._not_making()
+        self.extras.close()
         self.live.stop()
         if self.scene.is_shown():  # the camera has followed it
             QtCore.QTimer.singleShot(_SETTLED, partial(_fit, self.scene.document_name))

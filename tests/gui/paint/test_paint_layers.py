@@ -25,7 +25,7 @@ from brush import (
     rgba,
 )
 
-from BalloonWorkbench.app.drawings.drawing_file import file_of, pixels_of, shape_of
+from BalloonWorkbench.app.drawings.drawing_file import drawn_pixels_of, file_of, pixels_of
 from BalloonWorkbench.app.drawings.painting import artwork
 from BalloonWorkbench.app.drawings.qt_picture import pixels
 from BalloonWorkbench.gui.paint import window as paint_window
@@ -114,7 +114,7 @@ def test_the_outline_in_the_document_does_not_see_the_decoration(doc, window, tm
     hands.wait_until(is_closed, 60)
     file = file_of(doc.Outline.Drawing)
     assert (pixels_of(file) == seen).all()
-    assert (shape_of(file)[..., 3] != seen[..., 3]).any()
+    assert (drawn_pixels_of(file)[..., 3] != seen[..., 3]).any()
     assert doc.Outline.SizeY.Value == pytest.approx(decorated.size[1], rel=0.01)
     assert len(doc.Outline.LoopCounts) == 1
     assert (artwork(doc.Outline).rgba == seen).all()

@@ -12,8 +12,9 @@ import json
 import zlib
 from pathlib import Path
 
-from BalloonWorkbench.app.drawings.drawing_file import KEY, SHAPE_KEY
+from BalloonWorkbench.app.drawings.drawing_file import KEY
 from BalloonWorkbench.core.errors import PictureError
+from BalloonWorkbench.core.tracing.picture_file import SHAPE_KEY
 from BalloonWorkbench.gui.paint.painting.layers import (
     DECORATION,
     LAYERS,
