@@ -211,7 +211,8 @@ def test_words_of_any_script(window, words):
     press("PaintText")
     click(window.canvas, (0.5, 0.5))
     hands.find("PaintWords").setText(words)
-    assert window.canvas.floating.image.width() <= 2 * SIDE
+    assert window.canvas.floating.box.right() <= SIDE
+    assert window.canvas.floating.box.width() <= 0.92 * SIDE
     hands.key(hands.find("PaintWords"), Qt.Key_Return, "\r")
     assert len(window.painting.steps) == int(words != "\t")
     for height in (0.0, 1.0, 1e9):

@@ -50,10 +50,11 @@ class FloatingPicture(QtCore.QObject):
         self.changed.emit()
 
     def show(self, image) -> None:
-        """Another image at the same place: what is being typed."""
+        """Another image at the same place, as far as that is on the paper: what is being typed."""
         if self.image is not None:
-            corner = self.box.topLeft()
-            self.image, self.box = image, QtCore.QRectF(corner, QtCore.QSizeF(image.size()))
+            self.image = image
+            self.box.setSize(QtCore.QSizeF(image.size()))
+            self.box.moveLeft(min(self.box.left(), max(SIDE - self.box.width(), 0.0)))
             self.changed.emit()
 
     def begin(self, at, zoom: float) -> bool:

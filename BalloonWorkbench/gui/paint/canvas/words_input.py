@@ -6,10 +6,12 @@ from __future__ import annotations
 from BalloonWorkbench.gui.paint.canvas.floating import FloatingPicture
 from BalloonWorkbench.gui.paint.canvas.inputs import ToolInput
 from BalloonWorkbench.gui.paint.canvas.stroke_input import StrokeInput
+from BalloonWorkbench.gui.paint.painting.layers import SIDE
 from BalloonWorkbench.gui.paint.painting.words import picture_of
 from BalloonWorkbench.gui.qt import QtCore
 
 _HEIGHT = 200.0  # px of the paper
+_WIDEST = 0.9 * SIDE  # px, that typed words become by themselves
 
 
 class WordsInput(ToolInput):
@@ -38,7 +40,7 @@ class WordsInput(ToolInput):
     def show(self) -> None:
         """The words, their font or colour are others."""
         if self._is_placed:
-            self._floating.show(self._picture(self._height))
+            self._floating.show(self._picture(self._height, _WIDEST))
 
     def cancel(self) -> None:
         self._is_placed = False
@@ -51,5 +53,5 @@ class WordsInput(ToolInput):
         self._height = height
         return self._picture(height)
 
-    def _picture(self, height: float):
-        return picture_of(self.words or " ", self.family, height, self.hand.colour, self.joined)
+    def _picture(self, height: float, widest: float = 2.0 * SIDE):
+        return picture_of(self.words or " ", self.family, height, self.hand.colour, self.joined, widest)

@@ -13,13 +13,14 @@ _SMALLEST, _LARGEST = 6.0, 1.0 * SIDE  # px, of a line's height
 _ROUND = 0.22  # of the height, by which joined letters are surrounded
 _LEANING = 0.1  # of the height, by which slanted letters may lean out
 _LIGHT = 140  # of 255; on darker colours letters are white
-_WIDEST = 2 * SIDE  # px
 
 
-def picture_of(words: str, family: str, height: float, colour: str, joined: bool = False):
+def picture_of(
+    words: str, family: str, height: float, colour: str, joined: bool = False, widest: float = 2.0 * SIDE
+):
     """A line of words (QImage), transparent around them.
 
-    height  of the line, px
+    height  of the line, px, less where it would be wider than `widest` px
     joined  on a ground of this colour that holds them together; the letters are white or black
     """
     height = min(max(height, _SMALLEST), _LARGEST)
@@ -28,8 +29,8 @@ def picture_of(words: str, family: str, height: float, colour: str, joined: bool
     size = QtGui.QFontMetricsF(font)
     rim = (_ROUND if joined else _LEANING) * font.pixelSize()
     width = math.ceil(max(size.horizontalAdvance(words), size.boundingRect(words).width()) + 2.0 * rim)
-    if width > _WIDEST:
-        return picture_of(words, family, 0.98 * height * _WIDEST / width, colour, joined)
+    if width > widest and height > _SMALLEST:
+        return picture_of(words, family, 0.98 * height * widest / width, colour, joined, widest)
     image = QtGui.QImage(
         max(width, 1), math.ceil(size.height() + 2.0 * rim * joined), QtGui.QImage.Format_ARGB32_Premultiplied
     )
