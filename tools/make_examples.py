@@ -24,7 +24,8 @@ def painted_fish(doc):
 
     from BalloonWorkbench.app.drawings import painting
     from BalloonWorkbench.core.job import Settings
-    from BalloonWorkbench.gui.paint.painting.painted import SIDE, Painting
+    from BalloonWorkbench.gui.paint.painting.layers import SIDE
+    from BalloonWorkbench.gui.paint.painting.painted import Painting
     from BalloonWorkbench.gui.paint.preview.painting_display import MODE
 
     paper = Painting()

@@ -41,6 +41,7 @@ _DATA = {
     "machines": ("title", "note"),
     "intakes": ("title", "note"),
     "gases.json": ("title",),
+    "stamps.json": ("title",),
     "assembly/steps.json": ("text",),
 }
 _WORDS = "words.json"

@@ -10,7 +10,7 @@ from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document import arrange
 from BalloonWorkbench.app.document.kinds import is_artwork, leader
 from BalloonWorkbench.app.document.proxy import DocumentProxy
-from BalloonWorkbench.app.drawings.drawing_file import File, file_of, pixels_of, read_drawing
+from BalloonWorkbench.app.drawings.drawing_file import File, drawn_pixels_of, file_of, pixels_of, read_drawing
 from BalloonWorkbench.app.engine import panel_prints
 from BalloonWorkbench.app.engine.bag_result import has_many_panels
 from BalloonWorkbench.app.properties.property_table import Property, properties_of, result, results
@@ -286,4 +286,4 @@ def _frame(balloon):
 def _traced(file: File, drawn_as: str, low, size):
     from BalloonWorkbench.core.artwork.picture import of_drawing
 
-    return of_drawing(pixels_of(file), low, size, drawn_as)
+    return of_drawing(pixels_of(file), low, size, drawn_as, drawn_pixels_of(file))

@@ -6,10 +6,11 @@ import time
 
 import FreeCADGui as Gui
 import hands
+import numpy as np
 
 from BalloonWorkbench.app.drawings.qt_picture import pixels
 from BalloonWorkbench.gui.paint import window as paint_window
-from BalloonWorkbench.gui.paint.painting.painted import SIDE
+from BalloonWorkbench.gui.paint.painting.layers import SIDE
 
 Qt, QEvent = hands.QtCore.Qt, hands.QtCore.QEvent
 BLUE, YELLOW, RED, BLACK, ORANGE = "#1f78d8", "#ffd21f", "#e01b3c", "#1c1c22", "#ff8c1a"
@@ -44,13 +45,13 @@ def mouse_at(widget, kind, at, button=Qt.LeftButton, held=Qt.LeftButton, modifie
     hands.QtWidgets.QApplication.sendEvent(top.windowHandle(), event)
 
 
-def mouse(canvas, kind, place, button=Qt.LeftButton, held=Qt.LeftButton):
+def mouse(canvas, kind, place, button=Qt.LeftButton, held=Qt.LeftButton, modifiers=Qt.NoModifier):
     """One mouse event at a place of the paper, 0 to 1, y down."""
     at = canvas.paper.to_screen(hands.QtCore.QPointF(place[0] * SIDE, place[1] * SIDE))
-    mouse_at(canvas, kind, at, button, held)
+    mouse_at(canvas, kind, at, button, held, modifiers)
 
 
-def tablet(canvas, kind, place, pressure, rubber=False):
+def tablet(canvas, kind, place, pressure, rubber=False, tilt=0):
     """One event of a tablet's pen, or of its rubber end."""
     gui = hands.QtGui
     at = canvas.paper.to_screen(hands.QtCore.QPointF(place[0] * SIDE, place[1] * SIDE))
@@ -69,7 +70,19 @@ def tablet(canvas, kind, place, pressure, rubber=False):
             2,
         )
         event = gui.QTabletEvent(
-            kind, device, at, there, pressure, 0.0, 0.0, 0.0, 0.0, 0.0, Qt.NoModifier, button, held
+            kind,
+            device,
+            at,
+            there,
+            pressure,
+            float(tilt),
+            float(-tilt),
+            0.0,
+            0.0,
+            0.0,
+            Qt.NoModifier,
+            button,
+            held,
         )
     else:
         end = gui.QTabletEvent.Eraser if rubber else gui.QTabletEvent.Pen
@@ -80,8 +93,8 @@ def tablet(canvas, kind, place, pressure, rubber=False):
             gui.QTabletEvent.Stylus,
             end,
             pressure,
-            0,
-            0,
+            tilt,
+            -tilt,
             0.0,
             0.0,
             0,
@@ -117,7 +130,7 @@ def draw_for_real(pointer, canvas, places):
         at = canvas.paper.to_screen(hands.QtCore.QPointF(place[0] * SIDE, place[1] * SIDE))
         pointer.move(*on_screen(canvas, place))
         end = hands.at_latest(5.0)
-        while canvas._pointer is None or (canvas._pointer - at).manhattanLength() > 4:
+        while canvas.pointer is None or (canvas.pointer - at).manhattanLength() > 4:
             assert time.monotonic() < end, "the pointer never came"
             hands.wait(0.004)
         if number == 0:
@@ -156,6 +169,17 @@ def arc(x, y, r, start, end, count=30):
 def colour_at(window, x, y):
     image = window.painting.image
     return tuple(pixels(image)[int(y * SIDE), int(x * SIDE)].tolist())
+
+
+def ink(window):
+    """Where there is paint (h, w)."""
+    return pixels(window.painting.image)[..., 3] > 127
+
+
+def box_of(mask):
+    """Left, top, width and height of what is set in a mask (h, w)."""
+    rows, columns = (np.flatnonzero(mask.any(axis=axis)) for axis in (1, 0))
+    return columns[0], rows[0], columns[-1] + 1 - columns[0], rows[-1] + 1 - rows[0]
 
 
 def rgba(colour):

@@ -11,7 +11,7 @@ import hands
 from pointer import LEFT, WHEEL_DOWN, WHEEL_UP, Pointer
 
 from BalloonWorkbench.gui.paint import window as paint_window
-from BalloonWorkbench.gui.paint.painting.painted import SIDE
+from BalloonWorkbench.gui.paint.painting.layers import SIDE
 
 QtCore, QtGui, QtWidgets = hands.QtCore, hands.QtGui, hands.QtWidgets
 _OBJECT = 1001  # kind of the tree's items that are objects, in FreeCAD

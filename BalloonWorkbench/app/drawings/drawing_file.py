@@ -75,9 +75,11 @@ def shapes_in(file: File, size: tuple, symmetry: str, drawn_as: str):
     from BalloonWorkbench.core.outline.validity import scale_to
     from BalloonWorkbench.core.readers import read
 
-    drawing, kind = read.read_drawing(file.path, *size, decode=decoder(), drawn_as=drawn_as)
+    painted = is_painting(file.path)
+    decode = (lambda _path: drawn_pixels_of(file)) if painted else decoder()
+    drawing, kind = read.read_drawing(file.path, *size, decode=decode, drawn_as=drawn_as)
     drawing = scale_to(evened(drawing, symmetry, drawn=kind == "picture"), *size)
-    if is_painting(file.path):
+    if painted:
         first, *others = drawing.parts
         first = replace(first, notes=tuple(note for note in first.notes if note != AS_PEN))
         drawing = replace(drawing, parts=(first, *others))
@@ -91,6 +93,21 @@ def pixels_of(file: File):
 
     picture_size(file.path)
     return (decoder() or decode)(file.path)
+
+
+@memoized(most=4)
+def drawn_pixels_of(file: File):
+    """The pixels of a picture file as `pixels_of` that its outline comes from: of a painting without its
+    decoration. Raises BalloonError.
+    """
+    from BalloonWorkbench.core.tracing.picture_file import decode_shape, shape_in
+
+    if decoder() is None:
+        return decode_shape(file.path)
+    from BalloonWorkbench.app.drawings.qt_picture import unpacked
+
+    shape = shape_in(file.path)
+    return pixels_of(file) if shape is None else unpacked(shape, file.path.name)
 
 
 def decoder():
@@ -121,7 +138,7 @@ def _place(file: File, drawn_as: str) -> tuple[float, float, float, float] | Non
     from BalloonWorkbench.core.tracing.picture import placed_drawing, shrunk
 
     try:
-        rgba = shrunk(pixels_of(file))
+        rgba = shrunk(drawn_pixels_of(file))
         drawing, corner = placed_drawing(rgba, drawn_as=drawn_as)
     except BalloonError:
         return None

@@ -15,7 +15,13 @@ from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document import create
 from BalloonWorkbench.app.document.kinds import leader
 from BalloonWorkbench.app.document.parts import Parts, companions
-from BalloonWorkbench.app.drawings.drawing_file import file_of, is_painting, pixels_of, read_drawing
+from BalloonWorkbench.app.drawings.drawing_file import (
+    drawn_pixels_of,
+    file_of,
+    is_painting,
+    pixels_of,
+    read_drawing,
+)
 from BalloonWorkbench.app.engine.solve import Request, describe
 from BalloonWorkbench.app.outline import DRAWN_AS, set_drawing
 from BalloonWorkbench.core.checkpoint import checkpoint, stoppable
@@ -81,7 +87,7 @@ def place(path, width: float, height: float = 0.0, drawn_as: str = AUTO) -> Pain
 
     rgba = pixels_of(file_of(path))
     try:
-        drawing, corner = placed_drawing(rgba, drawn_as=drawn_as)
+        drawing, corner = placed_drawing(drawn_pixels_of(file_of(path)), drawn_as=drawn_as)
     except BalloonError:
         return None
     pixel = width / drawing.size[0] if width else height / drawing.size[1]

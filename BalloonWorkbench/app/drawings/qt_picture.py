@@ -41,6 +41,14 @@ def decode(path: str | os.PathLike[str]) -> np.ndarray:
     return pixels(image)
 
 
+def unpacked(content: bytes, name: str) -> np.ndarray:
+    """Pixels (h, w, 4) as of `decode` from the content of a PNG file, which comes from the file `name`."""
+    image = QtGui.QImage.fromData(content)
+    if image.isNull():
+        raise PictureError(f"'{name}' is damaged or not a picture. Save it as PNG, JPEG or BMP once more.")
+    return pixels(image)
+
+
 def pixels(image) -> np.ndarray:
     """Pixels (h, w, 4) uint8 of a QImage as red, green, blue, alpha."""
     image = image.convertToFormat(QtGui.QImage.Format_RGBA8888)

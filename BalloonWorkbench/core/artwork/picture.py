@@ -39,22 +39,26 @@ class Picture:
         return (at[..., 0] - 0.5).astype(np.float32), (height - at[..., 1] - 0.5).astype(np.float32)
 
 
-def of_drawing(pixels: Pixels, low: Floats, size: Floats, drawn_as: str = AUTO) -> Picture:
+def of_drawing(
+    pixels: Pixels, low: Floats, size: Floats, drawn_as: str = AUTO, shape: Pixels | None = None
+) -> Picture:
     """The picture that was traced, in its place: its shapes fill the box `size` (2,) m from `low` (2,) m.
 
     What is not part of a shape takes the colour of the nearest place that is. Raises PictureError where there
     is no shape, MissingPackageError without OpenCV and SciPy.
+
+    shape  pixels of the same picture that were traced, where these have more on them
     """
-    small = shrunk(pixels)
+    small = shrunk(pixels if shape is None else shape)
     step = max(pixels.shape[:2]) // max(small.shape[:2])
     drawing, corner = placed_drawing(small, drawn_as=drawn_as)
     pixel = size / (np.array(drawing.size) * step)
     # `shrunk` leaves out rows at the lower edge that do not make a whole block
     rest = len(pixels) - step * len(small)
     origin = low - (corner * step + (0.0, rest)) * pixel
-    shape = np.repeat(np.repeat(segment(small, drawn_as)[0] > 0.5, step, axis=0), step, axis=1)
+    drawn = np.repeat(np.repeat(segment(small, drawn_as)[0] > 0.5, step, axis=0), step, axis=1)
     inside = np.zeros(pixels.shape[:2], dtype=np.bool_)
-    inside[: shape.shape[0], : shape.shape[1]] = shape
+    inside[: drawn.shape[0], : drawn.shape[1]] = drawn
     return Picture(carried_on(pixels, _thinner(inside)), origin, pixel)
 
 

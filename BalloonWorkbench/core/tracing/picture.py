@@ -20,8 +20,7 @@ from BalloonWorkbench.core.outline.drawing import SPECK, Drawing, checked, speck
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.validity import scale_to
 from BalloonWorkbench.core.tracing.contour import contours
-from BalloonWorkbench.core.tracing.picture_file import decode as decode_with_opencv
-from BalloonWorkbench.core.tracing.picture_file import picture_size
+from BalloonWorkbench.core.tracing.picture_file import decode_shape, picture_size
 from BalloonWorkbench.core.tracing.segment import AUTO, segment
 from BalloonWorkbench.core.tracing.trace import STEP, trace
 from BalloonWorkbench.core.types import Floats
@@ -66,7 +65,7 @@ def picture_drawing(
     budget = budget or Budget()
     picture_size(path)
     with foreign_reader(lambda _: damaged(path.name)):
-        pixels = (decode or decode_with_opencv)(path)
+        pixels = (decode or decode_shape)(path)
     drawing, _ = placed_drawing(shrunk(pixels), drawn_as=drawn_as, budget=budget)
     return checked(scale_to(drawing, width, height), budget)
 

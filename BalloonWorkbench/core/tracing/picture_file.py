@@ -4,6 +4,8 @@
 from __future__ import annotations
 
 import struct
+import zlib
+from base64 import b64decode
 from pathlib import Path
 
 import numpy as np
@@ -22,6 +24,9 @@ _MOST_BYTES = 256 << 20
 _MOST_SCANS = 100
 _ROWS = 64  # that are turned into plain colours at once
 _HEAD = 1 << 22  # a JPEG may carry megabytes of previews and colour profiles before its size
+_PNG = b"\x89PNG\r\n\x1a\n"
+#: Name of the text in the PNG file of a painting with the shape that its decoration lies on.
+SHAPE_KEY = "FilmBalloonShape"
 _JPEG = b"\xff\xd8\xff"
 _JPEG_FRAMES = {0xC0, 0xC1, 0xC2, 0xC3, 0xC5, 0xC6, 0xC7, 0xC9, 0xCA, 0xCB, 0xCD, 0xCE, 0xCF}
 
@@ -102,22 +107,57 @@ def _jpeg_size(head: bytes) -> tuple[int, int] | None:
     return None
 
 
+def shape_in(path: Path) -> bytes | None:
+    """A painting's shape as it is without its decoration, a PNG file, from the painting's own; None without.
+
+    It is a text of that file before its pixels, packed or plain, in Base64; of no use is one of another size.
+    """
+    data = path.read_bytes() if path.stat().st_size <= _MOST_BYTES else b""
+    at = len(_PNG)
+    while data.startswith(_PNG) and at + 8 < len(data) and data[at + 4 : at + 8] != b"IDAT":
+        (length,) = struct.unpack(">I", data[at : at + 4])
+        name, _, text = data[at + 8 : at + 8 + length].partition(b"\0")
+        if name == SHAPE_KEY.encode():
+            shape = _plain(text, is_packed=data[at + 4 : at + 8] == b"zTXt")
+            return shape if shape[:4] == _PNG[:4] and shape[16:24] == data[16:24] else None
+        at += 12 + length
+    return None
+
+
+def _plain(text: bytes, is_packed: bool) -> bytes:
+    """What a text of a PNG file says in Base64; nothing where it is damaged."""
+    try:
+        return b64decode(zlib.decompressobj().decompress(text[1:], _MOST_BYTES) if is_packed else text)
+    except (zlib.error, ValueError):
+        return b""
+
+
+def decode_shape(path: Path) -> NDArray[np.uint8]:
+    """As `decode`, of a painting with a decoration its shape alone: where its outline comes from."""
+    shape = shape_in(path)
+    return decode(path) if shape is None else _unpacked(np.frombuffer(shape, np.uint8), path.name)
+
+
 def decode(path: Path) -> NDArray[np.uint8]:
     """Pixels (h, w, 4) of a picture file as red, green, blue, alpha, upright; by OpenCV.
 
     16-bit and grey pictures come as 8-bit colours, a very large JPEG at half its size. MissingPackageError
     without OpenCV, PictureError for a file that it cannot unpack.
     """
+    if path.stat().st_size > _MOST_BYTES:
+        raise PictureError(f"'{path.name}' is larger than {_MOST_BYTES >> 20} MB. Save it as JPEG or PNG.")
+    # Not cv2.imread: it cannot open names with letters outside the system's code page everywhere.
+    return _unpacked(np.fromfile(path, dtype=np.uint8), path.name)
+
+
+def _unpacked(data: NDArray[np.uint8], file_name: str) -> NDArray[np.uint8]:
+    """The pixels of `decode` from the content of a file."""
     cv2 = opencv()
     if cv2 is None:
         raise MissingPackageError(
             "Pictures need OpenCV, which is missing or does not work here. Install the package "
             "python3-opencv (or opencv-python-headless), or open the picture inside FreeCAD."
         )
-    if path.stat().st_size > _MOST_BYTES:
-        raise PictureError(f"'{path.name}' is larger than {_MOST_BYTES >> 20} MB. Save it as JPEG or PNG.")
-    # Not cv2.imread: it cannot open names with letters outside the system's code page everywhere.
-    data = np.fromfile(path, dtype=np.uint8)
     # Cameras turn a JPEG by a note in the file, which OpenCV follows only when it converts to plain colours;
     # the other kinds may have transparency, which it would lose by that.
     upright = data[:3].tobytes() == _JPEG
@@ -125,14 +165,14 @@ def decode(path: Path) -> NDArray[np.uint8]:
     if upright and _jpeg_pixels(data) > _HALVED:
         mode = cv2.IMREAD_REDUCED_COLOR_2
     if upright and data.tobytes().count(b"\xff\xda") > _MOST_SCANS:
-        raise PictureError(f"'{path.name}' is damaged. Save it as PNG, JPEG or BMP once more.")
+        raise PictureError(f"'{file_name}' is damaged. Save it as PNG, JPEG or BMP once more.")
     try:
         pixels = cv2.imdecode(data, mode)
     except (cv2.error, MemoryError):
         pixels = None
     if pixels is None or pixels.dtype not in (np.uint8, np.uint16):
         raise PictureError(
-            f"'{path.name}' is damaged or not a picture. Save it as PNG, JPEG or BMP once more."
+            f"'{file_name}' is damaged or not a picture. Save it as PNG, JPEG or BMP once more."
         )
     return _rgba(pixels if pixels.ndim == 3 else pixels[..., None])
 

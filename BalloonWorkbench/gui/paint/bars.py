@@ -37,33 +37,49 @@ class Buttons(QtWidgets.QWidget):
         button.setCheckable(checkable)
         button.setToolTip(tooltip)
         button.setAccessibleName(tooltip)
-        button.setFocusPolicy(QtCore.Qt.NoFocus)  # keys stay with the canvas
+        button.setFocusPolicy(QtCore.Qt.TabFocus)  # after a click, keys stay with the canvas
         self.room.addWidget(button)
         return button
 
 
-class ToolBox(Buttons):
-    """The tools, one of them down."""
+class ToolButtons(Buttons):
+    """Tools, one of a group down."""
 
     chosen = QtCore.Signal(object)
 
-    def __init__(self, parent=None):
-        super().__init__(True, parent)
-        self._group = QtWidgets.QButtonGroup(self)
-        self._buttons = {}
-        for tool in TOOLS:
+    def __init__(self, upright: bool, group, parent=None):
+        super().__init__(upright, parent)
+        self._group = group
+
+    def add_tools(self, tools, size: int) -> None:
+        """A button for each of the tools."""
+        for tool in tools:
             tooltip = f"{translate(tool.text)} ({tool.key})\n{translate(tool.tooltip)}"
             button = self.add(
-                f"Paint{tool.name.title()}", drawn_icon(f"paint_{tool.name}"), tooltip, _TOOL, checkable=True
+                f"Paint{tool.name.title()}", drawn_icon(f"paint_{tool.name}"), tooltip, size, checkable=True
             )
+            button.setAccessibleName(translate(tool.text))
+            button.setAccessibleDescription(translate(tool.tooltip))
             button.clicked.connect(lambda checked=False, tool=tool: self.chosen.emit(tool))
             self._group.addButton(button)
-            self._buttons[tool.name] = button
-        self.room.addStretch()
-        self.show_chosen(TOOLS[0])
 
     def show_chosen(self, tool) -> None:
-        self._buttons[tool.name].setChecked(True)
+        """The button of a tool is down, here or in another bar of the group; the key Tab goes to it."""
+        for button in self._group.buttons():
+            is_chosen = button.objectName() == f"Paint{tool.name.title()}"
+            button.setChecked(is_chosen)
+            button.setFocusPolicy(QtCore.Qt.TabFocus if is_chosen else QtCore.Qt.NoFocus)
+
+
+class ToolBox(ToolButtons):
+    """The tools at the left; group: where those of the second row are, too."""
+
+    def __init__(self, parent=None):
+        self.group = QtWidgets.QButtonGroup()
+        super().__init__(True, self.group, parent)
+        self.add_tools(TOOLS, _TOOL)
+        self.room.addStretch()
+        self.show_chosen(TOOLS[0])
 
 
 class ActionBar(Buttons):
@@ -73,6 +89,7 @@ class ActionBar(Buttons):
     thickened = QtCore.Signal(int)
     mirrored = QtCore.Signal(bool)
     acted = QtCore.Signal(str)
+    extended = QtCore.Signal(bool)
 
     _ACTIONS = (
         ("undo", QT_TRANSLATE_NOOP("BalloonWorkbench", "Undo (Ctrl+Z)")),
@@ -95,8 +112,10 @@ class ActionBar(Buttons):
         super().__init__(False, parent)
         self.buttons = {}
         self._colours = QtWidgets.QButtonGroup(self)
-        for value, name in COLOURS:
-            button = self.add(f"PaintColour{value}", _dab(value), translate(name), _COLOUR, checkable=True)
+        for number, (value, name) in enumerate(COLOURS, 1):
+            tooltip = f"{translate(name)} ({number})"
+            button = self.add(f"PaintColour{value}", dab(value), tooltip, _COLOUR, checkable=True)
+            button.setAccessibleName(translate(name))
             button.clicked.connect(lambda checked=False, value=value: self.coloured.emit(value))
             self._colours.addButton(button)
         self._colours.buttons()[0].setChecked(True)
@@ -106,8 +125,9 @@ class ActionBar(Buttons):
         self.thickness.setValue(USUAL)
         self.thickness.setMinimumWidth(60)
         self.thickness.setMaximumWidth(140)
-        self.thickness.setFocusPolicy(QtCore.Qt.NoFocus)
+        self.thickness.setFocusPolicy(QtCore.Qt.TabFocus)
         self.thickness.setToolTip(translate("Thickness of the pen ([ thinner, ] thicker)"))
+        self.thickness.setAccessibleName(self.thickness.toolTip())
         self.thickness.valueChanged.connect(self.thickened)
         self.room.addSpacing(6)
         self.room.addWidget(self.thickness)
@@ -127,21 +147,37 @@ class ActionBar(Buttons):
             )
             button.clicked.connect(lambda checked=False, name=name: self.acted.emit(name))
             self.buttons[name] = button
+        more = self.add(
+            "PaintMore",
+            drawn_icon("paint_more"),
+            translate("More: text, stamps, layers, symmetry, any colour (Q)"),
+            _ACTION,
+            checkable=True,
+        )
+        more.toggled.connect(self.extended)
+        self.buttons["more"] = more
         self.room.addStretch()
+
+    def show_colour(self, value: str) -> None:
+        """The colour that is painted with, which may be none of the eight."""
+        self._colours.setExclusive(False)  # at most one of them is down
+        for button in self._colours.buttons():
+            button.setChecked(button.objectName() == f"PaintColour{value}")
+        self._colours.setExclusive(True)
 
     def thicken(self, steps: int) -> None:
         """A thicker pen, or a thinner one; the slider knows its ends."""
         self.thickness.setValue(self.thickness.value() + steps * _THICKER)
 
 
-def _dab(colour: str):
-    """A dab of paint."""
+def dab(colour):
+    """A dab of paint; colour: a name, or what Qt fills with."""
     pixmap = QtGui.QPixmap(_COLOUR, _COLOUR)
     pixmap.fill(QtCore.Qt.transparent)
     painter = QtGui.QPainter(pixmap)
     painter.setRenderHint(QtGui.QPainter.Antialiasing)
     painter.setPen(QtGui.QPen(QtGui.QColor("#50565e"), 1.2))
-    painter.setBrush(QtGui.QColor(colour))
+    painter.setBrush(QtGui.QColor(colour) if isinstance(colour, str) else colour)
     painter.drawEllipse(QtCore.QRectF(2, 2, _COLOUR - 4, _COLOUR - 4))
     painter.end()
     return QtGui.QIcon(pixmap)

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from functools import partial
+from itertools import pairwise
 from time import monotonic
 
 import FreeCADGui as Gui
@@ -80,6 +81,9 @@ class PaintDock(QtWidgets.QDockWidget):
         room.setColumnStretch(1, 1)
         room.setRowStretch(1, 1)
         self.setWidget(body)
+        stops = [stop for part in (above, left, canvas, below) for stop in _focusable(part)]
+        for one, other in pairwise(stops):
+            QtWidgets.QWidget.setTabOrder(one, other)
 
     def reveal(self) -> None:
         """Show it; the panels beside it become narrow."""
@@ -154,3 +158,16 @@ class PaintDock(QtWidgets.QDockWidget):
         windows = main.findChildren(QtWidgets.QDockWidget, self.objectName())
         if not any(window.isVisible() for window in windows):  # none has taken its place
             _neighbours.give_back(main)
+
+
+def _focusable(part) -> list:
+    """What the key Tab goes to in a part of the window, in its order; the canvas is one.
+
+    Of tools of which one is down, Qt takes that alone: it is another one later.
+    """
+    return [
+        each
+        for each in (part, *part.findChildren(QtWidgets.QWidget))
+        if each.window() is part.window()  # not in a list that opens
+        and (isinstance(each, QtWidgets.QAbstractButton) or each.focusPolicy() & QtCore.Qt.TabFocus)
+    ]

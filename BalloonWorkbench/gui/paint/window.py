@@ -24,13 +24,14 @@ from BalloonWorkbench.gui.paint.bars import ActionBar, ToolBox
 from BalloonWorkbench.gui.paint.canvas.canvas_widget import Canvas
 from BalloonWorkbench.gui.paint.dock import PaintDock
 from BalloonWorkbench.gui.paint.documents import follow_documents
+from BalloonWorkbench.gui.paint.extras import Extras
 from BalloonWorkbench.gui.paint.form import PaintForm
 from BalloonWorkbench.gui.paint.keep import keep, show, values_of
 from BalloonWorkbench.gui.paint.painting.lengths import short
 from BalloonWorkbench.gui.paint.painting.painted import Painting
 from BalloonWorkbench.gui.paint.painting.pictures import Pictures
-from BalloonWorkbench.gui.paint.painting.strokes import Clear
-from BalloonWorkbench.gui.paint.painting.tools import TOOLS
+from BalloonWorkbench.gui.paint.painting.pieces import Clear
+from BalloonWorkbench.gui.paint.painting.tools import MORE_TOOLS, TOOLS
 from BalloonWorkbench.gui.paint.preview.live_preview import LivePreview
 from BalloonWorkbench.gui.paint.preview.preload import load
 from BalloonWorkbench.gui.paint.preview.scene import Scene
@@ -96,10 +97,11 @@ class PaintWindow(PaintDock):
         self.canvas = Canvas(self.painting)
         self.hand = self.canvas.hand
         self.live = LivePreview(self.painting, self)
-        self.scene, self.pictures = Scene(doc.Name, parts), Pictures(self.painting, self)
+        self.scene, self.pictures = Scene(doc.Name, parts), Pictures(self.painting, self.hand, self)
         self.tools, self.actions = ToolBox(), ActionBar()
+        self.extras = Extras(self.canvas, self.tools, self.actions, self.pictures)
         self.form, self.card = PaintForm(self.live.width), SizeCard(self.canvas)
-        self.fill(self.actions, self.tools, self.canvas, self.form)
+        self.fill(self.extras.widget, self.tools, self.canvas, self.form)
         self._connect()
         self.watch = Watch(parts or (), self.finish, doc)
         if parts is not None:
@@ -138,6 +140,7 @@ class PaintWindow(PaintDock):
     def leave(self) -> None:
         """Closed, now or for good."""
         self._not_making()
+        self.extras.close()
         self.live.stop()
         if self.scene.is_shown():  # the camera has followed it
             QtCore.QTimer.singleShot(_SETTLED, partial(_fit, self.scene.document_name))
@@ -146,9 +149,9 @@ class PaintWindow(PaintDock):
 
     def _connect(self) -> None:
         self.tools.chosen.connect(self.choose)
-        self.actions.coloured.connect(self.colour)
+        self.extras.chosen.connect(self.choose)
+        self.extras.message.connect(self.form.show_message)
         self.actions.thickened.connect(self.hand.set_thickness)
-        self.actions.mirrored.connect(self._mirror)
         self.actions.acted.connect(self.act)
         self.canvas.chosen.connect(self._key)
         self.canvas.accepted.connect(self.widen)
@@ -182,18 +185,20 @@ class PaintWindow(PaintDock):
 
     def choose(self, tool) -> None:
         self.hand.cancel()
+        self.extras.begin(tool)
         self.hand.tool = tool
         self.tools.show_chosen(tool)
         if self.live.latest is None:
             self.form.show_message("")
         self.canvas.update()
 
-    def colour(self, value: str) -> None:
-        self.hand.colour = value
-
     def act(self, name: str) -> None:
         """One of the buttons over the canvas."""
+        if name == "undo" and self.canvas.floating.is_there():
+            self.canvas.cancel()
+            return
         self.hand.cancel()
+        self.canvas.finish()
         if name in ("undo", "redo"):
             getattr(self.painting, name)()
         elif name == "clear":
@@ -207,9 +212,9 @@ class PaintWindow(PaintDock):
             self.pictures.choose(as_paint=name == "picture")
 
     def widen(self, number: int) -> None:
-        """Repair a thin place, on both sides of the mirror when it is on."""
+        """Repair a thin place, and those that are painted with it."""
         step = self.canvas.thin.remarks[number].step
-        step.mirror = self.hand.mirror
+        step.symmetry = self.hand.symmetry
         self.canvas.thin.show(())
         self.painting.do(step)
         self.form.show_message(translate("It is wider now. Ctrl+Z takes that back."))
@@ -227,7 +232,7 @@ class PaintWindow(PaintDock):
         """Put the balloon into the document, as soon as it is solved."""
         if self.making or not is_free():
             return
-        self.hand.end()
+        self.canvas.finish()
         if self.painting.is_empty():
             self.form.show_message(translate("Paint something first: a closed line is enough."))
             return
@@ -281,12 +286,8 @@ class PaintWindow(PaintDock):
             self.actions.buttons["mirror"].toggle()
         elif letter in ("[", "]"):
             self.actions.thicken(1 if letter == "]" else -1)
-        else:
-            self.choose(next(tool for tool in TOOLS if tool.key == letter))
-
-    def _mirror(self, on: bool) -> None:
-        self.hand.mirror = on
-        self.canvas.update()
+        elif not self.extras.key(letter):
+            self.choose(next(tool for tool in (*TOOLS, *MORE_TOOLS) if tool.key == letter))
 
     def _sized(self, width: float) -> None:
         self._is_sized = True

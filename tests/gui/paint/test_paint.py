@@ -34,7 +34,7 @@ from pictures import framed, picture
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.drawings.qt_picture import pixels
 from BalloonWorkbench.gui.paint import window as paint_window
-from BalloonWorkbench.gui.paint.painting.painted import SIDE
+from BalloonWorkbench.gui.paint.painting.layers import SIDE
 
 HEART = Path("resources/examples/pictures/heart.png").resolve()
 
@@ -68,7 +68,7 @@ def test_undo_redo_mirror_zoom_and_keys(window):
     key(canvas, Qt.Key_M, "m")
     key(canvas, Qt.Key_E, "e")
     assert canvas.hand.tool.name == "eraser"
-    assert not canvas.hand.mirror
+    assert not canvas.hand.symmetry.mirror
     draw(canvas, [(0.14, 0.5), (0.15, 0.5)])
     assert colour_at(window, 0.14, 0.5)[3] == 0
     for _ in range(20):  # beyond the copies that undo begins from

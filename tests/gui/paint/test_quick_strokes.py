@@ -10,7 +10,7 @@ import pytest
 from brush import close_window, on_screen, open_window
 from player import Player
 
-from BalloonWorkbench.gui.paint.painting.painted import SIDE
+from BalloonWorkbench.gui.paint.painting.layers import SIDE
 
 pytestmark = pytest.mark.works_out
 

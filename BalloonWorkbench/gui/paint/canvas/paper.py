@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from BalloonWorkbench.gui.paint.painting.painted import SIDE
+from BalloonWorkbench.gui.paint.painting.layers import SIDE
 from BalloonWorkbench.gui.qt import QtCore
 
 _NEAREST, _FARTHEST = 16.0, 0.1  # zoom

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from BalloonWorkbench.gui.paint.painting.painted import SIDE
+from BalloonWorkbench.gui.paint.painting.layers import SIDE
 from BalloonWorkbench.gui.qt import QtCore, QtGui
 
 LENGTH = 185.0  # mm from the wrist to the tip of the middle finger

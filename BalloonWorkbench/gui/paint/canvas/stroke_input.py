@@ -3,19 +3,32 @@
 
 from __future__ import annotations
 
-from BalloonWorkbench.gui.paint.painting.painted import SIDE, Painting
-from BalloonWorkbench.gui.paint.painting.strokes import ERASER, FILL, LINE, PEN, Fill, PaintStroke, Spill
-from BalloonWorkbench.gui.paint.painting.tools import COLOURS, MOVE, THICKEST, THINNEST, TOOLS, USUAL
+from BalloonWorkbench.gui.paint.painting.layers import SHAPE, SIDE
+from BalloonWorkbench.gui.paint.painting.painted import Painting
+from BalloonWorkbench.gui.paint.painting.strokes import (
+    BRUSH,
+    ERASER,
+    FILL,
+    LINE,
+    PEN,
+    Fill,
+    PaintStroke,
+    Spill,
+)
+from BalloonWorkbench.gui.paint.painting.symmetry import ONCE
+from BalloonWorkbench.gui.paint.painting.tools import COLOURS, THICKEST, THINNEST, TOOLS, USUAL
 from BalloonWorkbench.gui.qt import QtCore, translate
 
 _BEND = 32  # pieces of a bent line
+_LINES = (PEN, BRUSH, ERASER, LINE)
 
 
 class StrokeInput(QtCore.QObject):
     """Paints on a Painting; places are pixels of it.
 
-    tool, colour, thickness, mirror  what it paints with
-    stroke, bending                  what it is at: a stroke, and whether that is a line being bent
+    tool, colour, thickness  what it paints with
+    symmetry, layer          where that is done again, and on what
+    stroke, bending          what it is at: a stroke, and whether that is a line being bent
     `growing` comes while a stroke is drawn, `message` is for the status line.
     """
 
@@ -27,7 +40,7 @@ class StrokeInput(QtCore.QObject):
         self.painting = painting
         self.tool, self.colour = TOOLS[0], COLOURS[0][0]
         self.thickness = USUAL
-        self.mirror = False
+        self.symmetry, self.layer = ONCE, SHAPE
         self.stroke: PaintStroke | None = None
         self.bending = False
 
@@ -36,7 +49,11 @@ class StrokeInput(QtCore.QObject):
 
     def reach(self) -> float:
         """Width of what the tool draws without a tablet [px]; 0 for tools that draw no line."""
-        return 0.0 if self.tool.name in (FILL, MOVE) else self.thickness * self.tool.widening
+        return self.thickness * self.tool.widening if self.tool.name in _LINES else 0.0
+
+    def is_at_work(self) -> bool:
+        """The pen is down."""
+        return self.stroke is not None and not self.bending
 
     def begin(self, at, pressure: float = 1.0, erase: bool = False) -> None:
         """The pen goes down."""
@@ -47,7 +64,7 @@ class StrokeInput(QtCore.QObject):
             self._fill(at)
             return
         tool = next(tool for tool in TOOLS if tool.name == ERASER) if erase else self.tool
-        self.stroke = PaintStroke(tool.name, self.colour, self.mirror)
+        self.stroke = PaintStroke(tool.name, self.colour, self.symmetry, layer=self.layer)
         self._pressure_share, self._widening = tool.pressure, tool.widening
         self._add(at, pressure)
 
@@ -78,9 +95,9 @@ class StrokeInput(QtCore.QObject):
         self.stroke, self.bending = None, False
         if stroke.tool == PEN and stroke.is_nearly_closed():
             stroke.points.append(stroke.points[0])
-            stroke.paint_part(self.painting.image, len(stroke.points) - 1)
+            self.painting.draw_part(stroke, len(stroke.points) - 1)
         if stroke.tool != LINE:
-            stroke.paint_part(self.painting.image, len(stroke.points))
+            self.painting.draw_part(stroke, len(stroke.points))
         self.painting.do(stroke, painted=stroke.tool != LINE)
 
     def cancel(self) -> None:
@@ -102,16 +119,16 @@ class StrokeInput(QtCore.QObject):
 
     def _add(self, at, pressure: float) -> None:
         stroke = self.stroke
-        stroke.points.append((at.x(), at.y(), self._width(pressure)))
+        stroke.points.append((*_place(at), round(self._width(pressure), 2)))
         if stroke.tool != LINE:
-            stroke.paint_part(self.painting.image, len(stroke.points) - 1)
+            self.painting.draw_part(stroke, len(stroke.points) - 1)
 
     def _pull(self, at) -> None:
         """The end of a line, or its bow, follows the pointer."""
         points = self.stroke.points
         x, y, width = points[0]
         if not self.bending:
-            points[1:] = [(at.x(), at.y(), width)]
+            points[1:] = [(*_place(at), width)]
             return
         end = points[-1]
         # the bow goes through the pointer: control point of the parabola at half way
@@ -120,13 +137,18 @@ class StrokeInput(QtCore.QObject):
         for step in range(1, _BEND):
             t = step / _BEND
             a, b, c = (1 - t) ** 2, 2 * t * (1 - t), t * t
-            bow.append((a * x + b * cx + c * end[0], a * y + b * cy + c * end[1], width))
+            bow.append((round(a * x + b * cx + c * end[0], 2), round(a * y + b * cy + c * end[1], 2), width))
         points[1:] = [*bow, end]
 
     def _fill(self, at) -> None:
         if not (0 <= at.x() < SIDE and 0 <= at.y() < SIDE):
             return
         try:
-            self.painting.do(Fill(self.colour, at.x(), at.y(), self.mirror))
+            self.painting.do(Fill(self.colour, *_place(at), self.symmetry, self.layer))
         except Spill:
             self.message.emit(translate("The colour would run out: close the line around this place first."))
+
+
+def _place(at) -> tuple[float, float]:
+    """As it is in the file, so that what comes back from there is the same."""
+    return round(at.x(), 2), round(at.y(), 2)

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from BalloonWorkbench.gui.paint.painting.painted import SIDE
+from BalloonWorkbench.gui.paint.painting.layers import SIDE
 from BalloonWorkbench.gui.paint.preview.advice_marks import Remark
 from BalloonWorkbench.gui.qt import QtCore, QtGui
 

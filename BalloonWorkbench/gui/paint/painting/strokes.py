@@ -1,15 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is done to a painting, one step each: drawn with a tool, filled, or put on it as a picture."""
+"""What is done to a painting with pen, brush, eraser, line and fill, one step each."""
 
 from __future__ import annotations
 
-import base64
+from contextlib import suppress
 from dataclasses import dataclass, field
 
 import numpy as np
 
 from BalloonWorkbench.app.drawings.qt_picture import pixels
 from BalloonWorkbench.core.tracing.raster import label, neighbours
+from BalloonWorkbench.gui.paint.painting.layers import DECORATION, SHAPE, layer_from
+from BalloonWorkbench.gui.paint.painting.symmetry import ONCE, Symmetry, symmetry_from
 from BalloonWorkbench.gui.qt import QtCore, QtGui
 
 PEN, BRUSH, ERASER, LINE, FILL = "pen", "brush", "eraser", "line", "fill"
@@ -28,16 +30,23 @@ class Spill(Exception):
 class PaintStroke:
     """A line drawn with pen, brush or eraser, straight or bent.
 
-    points  (x, y, width) px each
-    mirror  drawn a second time, mirrored left to right
+    points    (x, y, width) px each
+    symmetry  how it is drawn again
     """
 
     tool: str
     colour: str
-    mirror: bool = False
+    symmetry: Symmetry = ONCE
     points: list[tuple[float, float, float]] = field(default_factory=list)
+    layer: str = SHAPE
 
-    def paint(self, image) -> None:
+    @property
+    def layers(self) -> tuple[str, ...]:
+        """What it changes."""
+        return (self.layer,)
+
+    def paint(self, image, seen=None) -> None:
+        """Draw all of it; seen: what lies on the paper, of which it knows nothing."""
         for number in range(len(self.points) + 1):
             self.paint_part(image, number)
 
@@ -47,10 +56,10 @@ class PaintStroke:
         gap = float(np.hypot(end[0] - x, end[1] - y))
         return len(self.points) > _ROUND and gap < _GAP + 1.5 * width
 
-    def paint_part(self, image, number: int) -> None:
+    def paint_part(self, image, number: int):
         """Draw the piece that came with one more point, so that a stroke grows while it is drawn.
 
-        The piece after the last point ends the stroke.
+        The piece after the last point ends the stroke. Returns the region that has changed (QRegion).
         """
         painter = QtGui.QPainter(image)
         painter.setRenderHint(QtGui.QPainter.Antialiasing)
@@ -58,14 +67,18 @@ class PaintStroke:
             painter.setCompositionMode(QtGui.QPainter.CompositionMode_DestinationOut)
         piece, width = self._piece(number)
         colour = QtGui.QColor(self.colour)
-        for mirrored in (False, True)[: 1 + self.mirror]:
-            painter.setTransform(_mirroring(image) if mirrored else QtGui.QTransform())
+        margin = 0.5 * width + _SOFT
+        box, changed = piece.boundingRect().adjusted(-margin, -margin, margin, margin), QtGui.QRegion()
+        for transform in self.symmetry.transforms:
+            changed += transform.mapRect(box).toAlignedRect()
+            painter.setTransform(transform)
             if self.tool == BRUSH:
                 rim = QtGui.QColor(colour)
                 rim.setAlpha(60)
                 painter.strokePath(piece, _pen(rim, width + _SOFT))
             painter.strokePath(piece, _pen(colour, width))
         painter.end()
+        return changed
 
     def _piece(self, number: int):
         """From the middle of the last two points round to that of the next two: a smooth line."""
@@ -87,25 +100,30 @@ class PaintStroke:
             path.quadTo(_at(self.points[number - 1]), _middle(self.points, number))
         return path, width
 
-    def paint_whole(self, painter, side: float) -> None:
-        """Draw all of it as one line on a paper of this side: a look at what is not on the image yet."""
+    def paint_whole(self, painter) -> None:
+        """Draw all of it as one line: a look at what is not on the image yet."""
         path = QtGui.QPainterPath(_at(self.points[0]))
         for point in self.points[1:]:
             path.lineTo(_at(point))
         line = _pen(QtGui.QColor(self.colour), self.points[0][2])
-        painter.strokePath(path, line)
-        if self.mirror:
-            painter.strokePath(QtGui.QTransform(-1, 0, 0, 1, side, 0).map(path), line)
+        for transform in self.symmetry.transforms:
+            painter.strokePath(transform.map(path), line)
 
     def data(self) -> dict:
         """For the file."""
         points = [[round(value, 2) for value in point] for point in self.points]
-        return {"tool": self.tool, "colour": self.colour, "mirror": self.mirror, "points": points}
+        return {
+            "tool": self.tool,
+            "colour": self.colour,
+            "symmetry": self.symmetry.data(),
+            "layer": self.layer,
+            "points": points,
+        }
 
     @classmethod
     def from_data(cls, data: dict) -> PaintStroke:
         points = [(float(x), float(y), float(width)) for x, y, width in data["points"]]
-        return cls(data["tool"], data["colour"], data["mirror"], points)
+        return cls(data["tool"], data["colour"], symmetry_from(data), points, layer_from(data))
 
 
 @dataclass
@@ -115,16 +133,22 @@ class Fill:
     colour: str
     x: float
     y: float
-    mirror: bool = False
+    symmetry: Symmetry = ONCE
+    layer: str = SHAPE
     tool: str = FILL
 
-    def paint(self, image) -> None:
-        """Fill around the place; raises Spill, with the image untouched, where an empty region is open."""
-        places = [(self.x, self.y), (image.width() - self.x, self.y)][: 1 + self.mirror]
-        regions = [_region(image, x, y) for x, y in places]
-        region = np.logical_or.reduce([area for area, _ in regions])
-        empty = regions[0][1]
-        if empty:
+    @property
+    def layers(self) -> tuple[str, ...]:
+        """What it changes."""
+        return (self.layer,)
+
+    def paint(self, image, seen=None) -> None:
+        """Fill around the place; raises Spill, with the image untouched, where an empty region is open.
+
+        seen  what lies on the paper: its regions are filled; without it those of the image
+        """
+        region, empty = self._regions(image if seen is None else seen)
+        if empty and self.layer == SHAPE:
             for _ in range(_UNDER):
                 region = neighbours(region)
         mask = np.zeros((*region.shape, 4), np.uint8)
@@ -133,108 +157,67 @@ class Fill:
         height, width = region.shape
         layer = QtGui.QImage(mask.tobytes(), width, height, 4 * width, QtGui.QImage.Format_RGBA8888)
         painter = QtGui.QPainter(image)
-        painter.setCompositionMode(
-            QtGui.QPainter.CompositionMode_DestinationOver
-            if empty
-            else QtGui.QPainter.CompositionMode_SourceAtop  # another colour is no other outline
-        )
+        if self.layer != DECORATION:
+            painter.setCompositionMode(
+                QtGui.QPainter.CompositionMode_DestinationOver
+                if empty
+                else QtGui.QPainter.CompositionMode_SourceAtop  # another colour is no other outline
+            )
         painter.drawImage(0, 0, layer)
         painter.end()
+
+    def _regions(self, image):
+        """What is filled (h, w), and whether that is empty; where the symmetry repeats it, what is closed."""
+        regions = _Regions(image)
+        region, empty = regions.around(self.x, self.y)
+        for transform in self.symmetry.transforms[1:]:
+            place = transform.map(QtCore.QPointF(self.x, self.y))
+            if image.rect().contains(place.toPoint()):
+                with suppress(Spill):
+                    region = region | regions.around(place.x(), place.y())[0]
+        return region, empty
 
     def data(self) -> dict:
         """For the file."""
         return {
             "tool": FILL,
             "colour": self.colour,
-            "mirror": self.mirror,
+            "symmetry": self.symmetry.data(),
+            "layer": self.layer,
             "at": [round(self.x, 2), round(self.y, 2)],
         }
 
     @classmethod
     def from_data(cls, data: dict) -> Fill:
-        return cls(data["colour"], *map(float, data["at"]), data["mirror"])
+        return cls(data["colour"], *map(float, data["at"]), symmetry_from(data), layer_from(data))
 
 
-@dataclass
-class PastedPicture:
-    """A picture on the paper, as large as fits.
+class _Regions:
+    """The regions of one colour of an image; the labels of a colour are made once."""
 
-    content  of the file
-    """
+    def __init__(self, image):
+        self._rgba = pixels(image).astype(np.int16)
+        self._labels: dict = {}
 
-    content: bytes
-    tool: str = "picture"
-    _image: object = field(default=None, repr=False, compare=False)
-
-    def paint(self, image) -> None:
-        painter = QtGui.QPainter(image)
-        self.draw(painter, QtCore.QRectF(image.rect()))
-        painter.end()
-
-    def _unpacked(self):
-        """A backdrop is drawn with every movement of the pointer: unpacked once."""
-        if self._image is None:
-            self._image = QtGui.QImage.fromData(self.content)
-        return self._image
-
-    def draw(self, painter, room) -> None:
-        """Draw it in the middle of a rectangle."""
-        picture = self._unpacked()
-        size = QtCore.QSizeF(picture.size())
-        size.scale(room.size(), QtCore.Qt.KeepAspectRatio)
-        place = QtCore.QRectF(QtCore.QPointF(), size)
-        place.moveCenter(room.center())
-        painter.setRenderHint(QtGui.QPainter.SmoothPixmapTransform)
-        painter.drawImage(place, picture)
-
-    def data(self) -> dict:
-        """For the file."""
-        return {"tool": self.tool, "content": base64.b64encode(self.content).decode()}
-
-    @classmethod
-    def from_data(cls, data: dict) -> PastedPicture:
-        return cls(base64.b64decode(data["content"]))
-
-
-@dataclass
-class Clear:
-    """Everything is taken off."""
-
-    tool: str = "clear"
-
-    def paint(self, image) -> None:
-        image.fill(QtCore.Qt.transparent)
-
-    def data(self) -> dict:
-        """For the file."""
-        return {"tool": self.tool}
-
-    @classmethod
-    def from_data(cls, data: dict) -> Clear:
-        return cls()
-
-
-def _region(image, x: float, y: float):
-    """The region of one colour around a place (h, w), and whether it is empty."""
-    rgba = pixels(image).astype(np.int16)
-    height, width = rgba.shape[:2]
-    column, row = (int(min(max(value, 0), most - 1)) for value, most in ((x, width), (y, height)))
-    here = rgba[row, column]
-    empty = here[3] < 128
-    alike = rgba[..., 3] < 128 if empty else (np.abs(rgba - here) < _SAME).all(axis=2)
-    labels, _ = label(alike)
-    region = labels == labels[row, column]
-    if empty and (region[0].any() or region[-1].any() or region[:, 0].any() or region[:, -1].any()):
-        raise Spill
-    return region, empty
+    def around(self, x: float, y: float):
+        """The region around a place (h, w), and whether it is empty; Spill where that is open."""
+        height, width = self._rgba.shape[:2]
+        column, row = (int(min(max(value, 0), most - 1)) for value, most in ((x, width), (y, height)))
+        here = self._rgba[row, column]
+        empty = bool(here[3] < 128)
+        key = None if empty else tuple(here.tolist())
+        if key not in self._labels:
+            alike = self._rgba[..., 3] < 128 if empty else (np.abs(self._rgba - here) < _SAME).all(axis=2)
+            self._labels[key], _ = label(alike)
+        labels = self._labels[key]
+        region = labels == labels[row, column]
+        if empty and (region[0].any() or region[-1].any() or region[:, 0].any() or region[:, -1].any()):
+            raise Spill
+        return region, empty
 
 
 def _pen(colour, width: float):
     return QtGui.QPen(colour, width, QtCore.Qt.SolidLine, QtCore.Qt.RoundCap, QtCore.Qt.RoundJoin)
-
-
-def _mirroring(image):
-    return QtGui.QTransform(-1, 0, 0, 1, image.width(), 0)
 
 
 def _at(point):

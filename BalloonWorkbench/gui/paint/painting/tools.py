@@ -9,6 +9,7 @@ from BalloonWorkbench.app.properties.property_table import QT_TRANSLATE_NOOP
 from BalloonWorkbench.gui.paint.painting.strokes import BRUSH, ERASER, FILL, LINE, PEN
 
 MOVE = "move"
+TEXT, STAMP, SELECT, PIPETTE, AXIS = "text", "stamps", "select", "pipette", "axis"
 
 
 class Tool(NamedTuple):
@@ -75,6 +76,51 @@ TOOLS = (
         QT_TRANSLATE_NOOP(
             "BalloonWorkbench",
             "Pull the paper. The middle button, or the space bar, does it with every tool; the wheel zooms.",
+        ),
+    ),
+)
+
+#: In the second row.
+MORE_TOOLS = (
+    Tool(
+        TEXT,
+        "T",
+        QT_TRANSLATE_NOOP("BalloonWorkbench", "Text"),
+        QT_TRANSLATE_NOOP(
+            "BalloonWorkbench",
+            "Click where it shall stand and type; pull it, or its corner. Enter paints it, Esc drops it.",
+        ),
+    ),
+    Tool(
+        STAMP,
+        "S",
+        QT_TRANSLATE_NOOP("BalloonWorkbench", "Stamp"),
+        QT_TRANSLATE_NOOP(
+            "BalloonWorkbench",
+            "Pull a shape to its size, up or down to turn it; Shift keeps it upright.",
+        ),
+    ),
+    Tool(
+        SELECT,
+        "R",
+        QT_TRANSLATE_NOOP("BalloonWorkbench", "Select"),
+        QT_TRANSLATE_NOOP(
+            "BalloonWorkbench",
+            "Pull a rectangle to copy (Ctrl+C) or cut (Ctrl+X); without one that is all. Ctrl+V pastes.",
+        ),
+    ),
+    Tool(
+        PIPETTE,
+        "C",
+        QT_TRANSLATE_NOOP("BalloonWorkbench", "Pipette"),
+        QT_TRANSLATE_NOOP("BalloonWorkbench", "Take a colour from the painting, or the picture under it"),
+    ),
+    Tool(
+        AXIS,
+        "A",
+        QT_TRANSLATE_NOOP("BalloonWorkbench", "Axis"),
+        QT_TRANSLATE_NOOP(
+            "BalloonWorkbench", "Pull the centre of the symmetry to its place, and turn its axis by the ring"
         ),
     ),
 )

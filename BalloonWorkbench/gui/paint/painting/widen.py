@@ -7,7 +7,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from BalloonWorkbench.core.geometry.crossings import first_crossing
+from BalloonWorkbench.core.geometry.nearest import nearest_on_line
 from BalloonWorkbench.core.geometry.vectors import foot
+from BalloonWorkbench.gui.paint.painting.layers import LAYERS
+from BalloonWorkbench.gui.paint.painting.symmetry import ONCE, Symmetry, mapped, symmetry_from
 from BalloonWorkbench.gui.qt import QtCore, QtGui
 
 WIDEN = "widen"
@@ -22,24 +26,30 @@ class Widen:
 
     points       of the middle line (x, y) px
     was, widened  width before and after, px
-    mirror       on the other half of the paper too
+    symmetry     how it is done again
     """
 
     points: list[tuple[float, float]]
     was: float
     widened: float
-    mirror: bool = False
+    symmetry: Symmetry = ONCE
     tool: str = WIDEN
 
-    def paint(self, image) -> None:
-        line = np.array(self.points, dtype=float)
-        self._paint_along(image, line)
-        if self.mirror and self._is_beside_the_axis(line, image.width()):
-            self._paint_along(image, line * (-1.0, 1.0) + (image.width(), 0.0))
+    @property
+    def layers(self) -> tuple[str, ...]:
+        """What it changes: the decoration moves with the shape."""
+        return LAYERS
 
-    def _is_beside_the_axis(self, line, side: float) -> bool:
-        away = line[:, 0] - 0.5 * side
-        return bool(abs(away).min() > self.widened and (away > 0).all() == (away > 0).any())
+    def paint(self, image, seen=None) -> None:
+        """Move the paint of one layer; seen: what lies on the paper, of which it knows nothing."""
+        line = np.array(self.points, dtype=float)
+        done = [line]
+        self._paint_along(image, line)
+        for transform in self.symmetry.transforms[1:]:
+            other = mapped(transform, line)
+            if all(_distance(other, each) > 2.0 * self.widened for each in done):
+                self._paint_along(image, other)
+                done.append(other)
 
     def _paint_along(self, image, line) -> None:
         gain = 0.5 * (self.widened - self.was)
@@ -83,13 +93,13 @@ class Widen:
             "points": [[round(x, 2), round(y, 2)] for x, y in self.points],
             "was": round(self.was, 3),
             "wanted": round(self.widened, 3),
-            "mirror": self.mirror,
+            "symmetry": self.symmetry.data(),
         }
 
     @classmethod
     def from_data(cls, data: dict) -> Widen:
         points = [(float(x), float(y)) for x, y in data["points"]]
-        return cls(points, float(data["was"]), float(data["wanted"]), bool(data["mirror"]))
+        return cls(points, float(data["was"]), float(data["wanted"]), symmetry_from(data))
 
 
 def _along(line, x, y, fade: float):
@@ -114,6 +124,13 @@ def _along(line, x, y, fade: float):
         )
         share = np.where(nearer, shares[k] + t * (shares[k + 1] - shares[k]), share)
     return nearest_x, nearest_y, best, share * share * (3.0 - 2.0 * share)
+
+
+def _distance(line, other) -> float:
+    """Between two lines (n, 2), which may cross."""
+    crossed = first_crossing((), [line, other]) is not None
+    near = min(nearest_on_line(a, b).distance.min() for a, b in ((line, other), (other, line)))
+    return 0.0 if crossed else float(near)
 
 
 def _direction(vector):

@@ -16,6 +16,7 @@ from pathlib import Path
 from BalloonWorkbench.app.properties import preferences
 from BalloonWorkbench.core.errors import Cancelled
 from BalloonWorkbench.gui.long_work.worker import Worker
+from BalloonWorkbench.gui.paint.painting.layers import SHAPE
 from BalloonWorkbench.gui.paint.painting.painted import Painting
 from BalloonWorkbench.gui.paint.preview.preview_state import PreviewState
 from BalloonWorkbench.gui.paint.preview.requests import FullDesign, QuickPreview
@@ -126,6 +127,7 @@ class LivePreview(QtCore.QObject):
         folder.mkdir(exist_ok=True)
         request = FullDesign(
             self.painting.file_image(),
+            self.painting.layers[SHAPE].copy(),
             self.painting.revision,
             self.width,
             self.settings,
@@ -172,7 +174,7 @@ class LivePreview(QtCore.QObject):
         if self.painting.is_empty():
             self._nothing()
             return
-        image = self.painting.image.copy()
+        image = self.painting.layers[SHAPE].copy()
         known = tuple(self._known)
         self._quick_preview = self._begin(
             QuickPreview(image, self.painting.revision, self.width, self.settings, known),

@@ -76,7 +76,8 @@ def _look() -> None:
     from BalloonWorkbench.core.errors import BalloonError
     from BalloonWorkbench.core.job import Settings
     from BalloonWorkbench.core.types import no_progress
-    from BalloonWorkbench.gui.paint.painting.painted import SIDE, Painting
+    from BalloonWorkbench.gui.paint.painting.layers import SIDE
+    from BalloonWorkbench.gui.paint.painting.painted import Painting
     from BalloonWorkbench.gui.paint.painting.strokes import PEN, PaintStroke
     from BalloonWorkbench.gui.paint.preview.requests import QuickPreview
     from BalloonWorkbench.gui.window.sentences import translated

@@ -19,7 +19,7 @@ from BalloonWorkbench.core.design.draft import VERTICES, check_area, draft
 from BalloonWorkbench.core.errors import BalloonError, ExportError
 from BalloonWorkbench.core.job import Settings
 from BalloonWorkbench.core.outline.drawing import Drawing
-from BalloonWorkbench.gui.paint.painting.painted import SIDE
+from BalloonWorkbench.gui.paint.painting.layers import SIDE
 from BalloonWorkbench.gui.paint.preview.advice_marks import remarks
 from BalloonWorkbench.gui.paint.preview.preview_state import (
     NEARLY,
@@ -42,7 +42,7 @@ _LOOK = 0.05  # s each
 
 @dataclass
 class QuickPreview:
-    """The quick look at an image; width in mm.
+    """The quick look at the shape of a painting, an image; width in mm.
 
     known  fitted states, the newest first: one of the same outline is kept, whatever else has been painted;
            the newest stands for an outline that is nearly the same until that is fitted
@@ -113,6 +113,7 @@ class QuickPreview:
 class FullDesign:
     """The fitted balloons of an image, in the file that the document will have.
 
+    shape       the image without its decoration: what the outline comes from
     show        is given the state of the balloons as soon as they are fitted; what can be said about them
                 and what the document needs comes later
     is_awaited  somebody waits for that
@@ -120,6 +121,7 @@ class FullDesign:
     """
 
     image: object
+    shape: object
     revision: int
     width: float
     settings: Settings
@@ -138,7 +140,7 @@ class FullDesign:
             raise ExportError(
                 translate("The painting cannot be written to '{}': is the disk full?").format(self.file)
             )
-        drawing, frame = seen(self.image, self.width, self.settings.drawn_as)
+        drawing, frame = seen(self.shape, self.width, self.settings.drawn_as)
         check_area(drawing.largest)
         checkpoint()
         traced = loops_in(drawing, frame)
