@@ -230,11 +230,8 @@ class StudyPanel(ObjectPanel):
 
     def _hide_equal(self, inputs: int) -> None:
         """A panel is narrow: inputs that are the same in all rows are not shown, unless all are."""
-        texts = [
-            {self.rows.item(row, column).text() for row in range(self.rows.rowCount())}
-            for column in range(inputs)
-        ]
-        vary = [len(each) > 1 for each in texts]
+        rows = range(self.rows.rowCount())
+        vary = [len({self.rows.item(row, column).text() for row in rows}) > 1 for column in range(inputs)]
         for column, varies in enumerate(vary):
             self.rows.setColumnHidden(column, any(vary) and not varies)
 
