@@ -1,0 +1,258 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""All edits of a drawing in their order; one whose place is gone is named and left out.
+
+An edit knows its node and the nodes beside it by their places. On the drawing that it was made on these are
+nodes exactly. On another one, of a changed picture, the line within reach of each of them gets a node there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from BalloonWorkbench.core.errors import InputError, OutlineError
+from BalloonWorkbench.core.geometry.nearest import nearest_on_line, nearest_on_loops, way_round
+from BalloonWorkbench.core.geometry.polyline import bounds, ring
+from BalloonWorkbench.core.memoize import memoized
+from BalloonWorkbench.core.outline.drawing import Drawing, checked
+from BalloonWorkbench.core.outline.symmetry import Mirror, exact_mirror
+from BalloonWorkbench.core.outline_edits.curves import moved, redrawn
+from BalloonWorkbench.core.outline_edits.edit import ADD, FILL, MOVE, REMOVE, SHARP, OutlineEdit
+from BalloonWorkbench.core.outline_edits.nodes import (
+    CORNER,
+    FEWEST,
+    PLAIN,
+    SMOOTH,
+    NodeDrawing,
+    NodeLoop,
+    with_nodes,
+)
+from BalloonWorkbench.core.types import Floats
+from BalloonWorkbench.core.units import place_text
+
+#: A changed outline has the place of an edit if it passes this near to it, in parts of its size; a node this
+#: near is the one that was meant.
+REACH, _SAME_NODE = 0.04, 0.015
+#: A stretch that leaves its chord by less than this part of the size is straight.
+_STRAIGHT = 2e-3
+_HAIR = 1e-6  # of the size: two places nearer than this are one
+
+
+@dataclass(frozen=True)
+class EditedDrawing:
+    """A drawing after its edits.
+
+    nodes     the drawing with its nodes
+    left_out  a sentence on each edit that has no place in it
+    """
+
+    nodes: NodeDrawing
+    left_out: tuple[str, ...]
+
+    @property
+    def drawing(self) -> Drawing:
+        """Checked, with the sentences among its notes."""
+        first, *others = checked(self.nodes.drawing).parts
+        noted = replace(first, notes=(*first.notes, *self.left_out))
+        return replace(self.nodes.drawing, parts=(noted, *others))
+
+
+class NoPlace(InputError):
+    """The outline is not where an edit was made any more."""
+
+
+@memoized(8)
+def apply_edits(drawing: Drawing, edits: Sequence[OutlineEdit]) -> EditedDrawing:
+    """The drawing after all edits, in their order. What would make it cross itself is left out, too."""
+    canvas = Canvas.of(drawing)
+    nodes = with_nodes(drawing)
+    axes = _axes(drawing) if any(edit.mirrored for edit in edits) else ()
+    left_out = []
+    for number, edit in enumerate(edits, start=1):
+        try:
+            nodes = with_edit(nodes, canvas.on(edit), axes)
+        except (InputError, OutlineError) as error:
+            place = place_text(np.round(canvas.on(edit).node, 4))
+            left_out.append(f"Outline edit {number} at {place} is left out. {error}")
+    return EditedDrawing(nodes, tuple(left_out))
+
+
+@dataclass(frozen=True)
+class Canvas:
+    """What the places of edits are parts of: its lower left corner (2,) and its size (2,) m."""
+
+    low: Floats
+    size: Floats
+
+    @staticmethod
+    def of(drawing: Drawing) -> Canvas:
+        """The picture that a drawing was traced in, else the box round it."""
+        every = np.concatenate([part.outer for part in drawing.parts])
+        low, high = bounds(every if drawing.canvas is None else drawing.canvas)
+        return Canvas(low, high - low)
+
+    def on(self, edit: OutlineEdit) -> OutlineEdit:
+        """An edit with its places in metres."""
+        return replace(edit, places=self.low + edit.places * self.size, to=self.low + edit.to * self.size)
+
+    def kept(self, edit: OutlineEdit) -> OutlineEdit:
+        """An edit with places in metres as it is kept."""
+        return replace(edit, places=(edit.places - self.low) / self.size, to=(edit.to - self.low) / self.size)
+
+
+def with_edit(nodes: NodeDrawing, edit: OutlineEdit, axes: Sequence[Mirror] = ()) -> NodeDrawing:
+    """The drawing after one edit, in metres, and after its image on the other side of the axes.
+
+    NoPlace, or OutlineError where loops would cross.
+    """
+    images = []
+    for axis in axes if edit.mirrored else ():
+        image = _image(edit, axis)
+        if np.linalg.norm(image.node - edit.node) > _SAME_NODE * nodes.size:
+            images.append(image)
+        else:  # its node is on the axis, and stays there
+            edit = replace(edit, to=0.5 * (edit.to + image.to))
+    after = _applied(nodes, edit)
+    for image in images:
+        after = _applied(after, image)
+    checked(after.drawing)
+    return after
+
+
+def _applied(nodes: NodeDrawing, edit: OutlineEdit) -> NodeDrawing:
+    number = _loop_at(nodes, edit.node)
+    size = nodes.size
+    if edit.kind == FILL:
+        if nodes.owner(number)[1] == 0:
+            raise NoPlace("There is no hole any more: delete the edit.")
+        return nodes.without_loop(number)
+    if edit.kind == ADD:
+        return nodes.with_loop(number, _added(nodes.loops[number], edit.node, size))
+    loop, places = nodes.loops[number], []
+    spread = np.linalg.norm(edit.places[[0, 2]] - edit.node, axis=1).min()
+    for place in edit.places:
+        loop, point = _with_node(loop, place, size, min(_SAME_NODE * size, 0.4 * float(spread)))
+        places.append(point)
+    begin, at, end = (int(np.argmin(np.linalg.norm(loop.points - place, axis=1))) for place in places)
+    count = len(loop.points)
+    node, after = (at - begin) % count, (end - begin) % count or count
+    if not 0 < node < after:
+        raise NoPlace("The outline runs another way there: delete the edit.")
+    rolled = loop.rolled(begin)
+    if edit.kind == MOVE:
+        return nodes.with_loop(number, moved(rolled, node, after, edit.to - edit.node))
+    kind = PLAIN if edit.kind == REMOVE else CORNER if edit.kind == SHARP else SMOOTH
+    return nodes.with_loop(number, redrawn(rolled, node, after, kind))
+
+
+def _loop_at(nodes: NodeDrawing, place: Floats) -> int:
+    """The number of the loop that passes nearest to a place (2,) m. NoPlace where none is within reach."""
+    loops = [loop.points for loop in nodes.loops]
+    nearest = nearest_on_loops(loops, place[None])
+    if nearest.distance[0] > REACH * nodes.size:
+        raise NoPlace("The outline does not pass there any more: delete the edit.")
+    return int(way_round(loops, nearest)[0][0])
+
+
+def _with_node(loop: NodeLoop, place: Floats, size: float, same: float) -> tuple[NodeLoop, Floats]:
+    """The loop with a node at a place, and where that is: one that is there, as near as `same` [m], or a new
+    one in the line. NoPlace."""
+    at = loop.nodes
+    away = np.linalg.norm(loop.points[at] - place, axis=1)
+    if len(at) and away.min() <= max(same, _HAIR * size):
+        return loop, loop.points[at[np.argmin(away)]]
+    nearest = nearest_on_line(ring(loop.points), place[None])
+    if nearest.distance[0] > REACH * size:
+        raise NoPlace("The outline does not pass there any more: delete the edit.")
+    edge, share = int(nearest.edge[0]), float(nearest.share[0])
+    begin, end = loop.points[edge], loop.points[(edge + 1) % len(loop.points)]
+    point = begin + share * (end - begin)
+    ends = np.linalg.norm(np.stack([begin, end]) - point, axis=1)
+    kinds = loop.kinds.copy()
+    if ends.min() <= _HAIR * size:
+        vertex = (edge + int(np.argmin(ends))) % len(loop.points)
+        kinds[vertex] = kinds[vertex] or _kind_at(loop, vertex, size)
+        return NodeLoop(loop.points, kinds), loop.points[vertex]
+    inserted = NodeLoop(
+        np.insert(loop.points, edge + 1, point, axis=0), np.insert(kinds, edge + 1, np.int8(PLAIN))
+    )
+    inserted.kinds[edge + 1] = _kind_at(inserted, edge + 1, size)
+    return inserted, point
+
+
+def _kind_at(loop: NodeLoop, at: int, size: float) -> int:
+    """What a new node at a point is: on a straight stretch between two nodes a corner, else smooth."""
+    rolled = loop.rolled(at)
+    nodes = rolled.nodes
+    line = np.concatenate([rolled.points[nodes[-1] :], rolled.points[: nodes[0] + 1]])
+    away = nearest_on_line(line[[0, -1]], line).distance.max()
+    return CORNER if away <= _STRAIGHT * size else SMOOTH
+
+
+def _added(loop: NodeLoop, place: Floats, size: float) -> NodeLoop:
+    """The loop with one more node."""
+    return _with_node(loop, place, size, _HAIR * size)[0]
+
+
+def node_edit(
+    nodes: NodeDrawing, kind: str, at: Floats, to: Floats | None = None, mirrored: bool = False
+) -> OutlineEdit:
+    """The edit, in metres, that does something to the node nearest to a place (2,), or adds one there.
+
+    A hole that would keep fewer than three nodes is filled. InputError where there is none within reach, or
+    the outline itself would keep too few.
+    """
+    to = at if to is None else to
+    if kind in (ADD, FILL):
+        number = _loop_at(nodes, at)
+        if kind == FILL and nodes.owner(number)[1] == 0:
+            raise InputError(f"There is no hole at {place_text(at)}: give a place on its edge.")
+        return OutlineEdit(kind, at[None], to, mirrored)
+    number, point = nearest_node(nodes, at)
+    loop = nodes.loops[number]
+    if kind == REMOVE and len(loop.nodes) <= FEWEST:
+        if nodes.owner(number)[1] == 0:
+            raise InputError(f"An outline keeps {FEWEST} nodes: move them instead.")
+        kind = FILL
+    if kind == FILL:
+        return OutlineEdit(FILL, loop.points[point][None], to, mirrored)
+    own = int(np.searchsorted(loop.nodes, point))
+    beside = loop.nodes[[own - 1, own, (own + 1) % len(loop.nodes)]]
+    return OutlineEdit(kind, loop.points[beside], to, mirrored)
+
+
+def nearest_node(nodes: NodeDrawing, at: Floats) -> tuple[int, int]:
+    """The loop and the point of the node nearest to a place (2,) m. InputError where none is within reach."""
+    best: tuple[float, int, int] = (np.inf, 0, 0)
+    for number, loop in enumerate(nodes.loops):
+        away = np.linalg.norm(loop.points[loop.nodes] - at, axis=1)
+        nearest = int(np.argmin(away))
+        best = min(best, (float(away[nearest]), number, int(loop.nodes[nearest])))
+    if best[0] > REACH * nodes.size:
+        raise InputError(f"There is no node near {place_text(at)}: add one there.")
+    return best[1:]
+
+
+def appended(edits: Sequence[OutlineEdit], edit: OutlineEdit) -> tuple[OutlineEdit, ...]:
+    """The edits and one more, as they are kept; a node that is moved on is moved once."""
+    if edits and edit.kind == MOVE == edits[-1].kind and edit.mirrored == edits[-1].mirrored:
+        last = edits[-1]
+        if np.allclose([last.places[0], last.to, last.places[2]], edit.places, atol=_HAIR):
+            return (*edits[:-1], replace(last, to=edit.to))
+    return (*edits, edit)
+
+
+def _axes(drawing: Drawing) -> tuple[Mirror, ...]:
+    """The axis of each shape that is symmetric as it is."""
+    return tuple(filter(None, map(exact_mirror, drawing.parts)))
+
+
+def _image(edit: OutlineEdit, axis: Mirror) -> OutlineEdit:
+    """An edit on the other side of an axis, where its stretch runs the other way, after the edit itself."""
+    places, to = axis.reflect(edit.places)[::-1].copy(), axis.reflect(edit.to[None])[0]
+    for end in (0, 2) if edit.kind in (MOVE, REMOVE) else ():  # the node itself may be beside its image
+        if np.linalg.norm(places[end] - edit.node) < 1e-3 * np.ptp(edit.places, axis=0).max():
+            places[end] = edit.to if edit.kind == MOVE else edit.places[end]
+    return replace(edit, places=places, to=to)
