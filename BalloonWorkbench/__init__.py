@@ -7,7 +7,7 @@ In FreeCAD the functions of the Python API are here: BalloonWorkbench.from_pictu
 _RELEASE = {"__version__": "VERSION", "__date__": "DATE"}
 _API = (
     *("from_picture", "from_sketch", "from_profile", "from_panels", "from_body"),
-    *("parts", "panels", "change", "inflate", "findings", "repair"),
+    *("parts", "panels", "change", "inflate", "edit_outline", "findings", "repair"),
     *("export", "tool_paths", "artwork", "sketch", "nest", "keep_remnant", "assembly_sheet", "share"),
     *("study", "test_card", "keep_field", "compare", "fit_film"),
 )

@@ -20,6 +20,7 @@ from BalloonWorkbench.app.border import hooks
 from BalloonWorkbench.app.document import create
 from BalloonWorkbench.app.document.kinds import is_artwork, is_balloon
 from BalloonWorkbench.app.document.parts import Parts, panels_of, parts_of
+from BalloonWorkbench.app.drawings import outline_edits
 from BalloonWorkbench.app.engine import advice, repairs
 from BalloonWorkbench.app.engine import export as writer
 from BalloonWorkbench.app.properties import values
@@ -137,6 +138,15 @@ def inflate(made: Parts) -> None:
     """Inflate a balloon that does not do so by itself, `live` being off; its Status tells what came of it."""
     if not _done:
         balloon.inflate_now(made.balloon)
+
+
+@_bordered
+def edit_outline(made: Parts, do: str, at, to=None, mirrored: bool = False) -> None:
+    """Edit an outline by hand: "move" the node nearest to `at` [mm] `to` a place, "add" one, "remove" it, or
+    make it "sharp" or "round", or "fill" its hole; mirrored: on both sides of a symmetric one. InputError."""
+    if not _done:
+        outline_edits.edit(made.outline, do, at, to, mirrored)
+        made.balloon.Document.recompute()
 
 
 @_bordered

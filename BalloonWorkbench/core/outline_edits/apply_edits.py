@@ -66,7 +66,7 @@ class NoPlace(InputError):
 @memoized(8)
 def apply_edits(drawing: Drawing, edits: Sequence[OutlineEdit]) -> EditedDrawing:
     """The drawing after all edits, in their order. What would make it cross itself is left out, too."""
-    canvas = Canvas.of(drawing)
+    canvas = EditFrame.of(drawing)
     nodes = with_nodes(drawing)
     axes = _axes(drawing) if any(edit.mirrored for edit in edits) else ()
     left_out = []
@@ -80,18 +80,18 @@ def apply_edits(drawing: Drawing, edits: Sequence[OutlineEdit]) -> EditedDrawing
 
 
 @dataclass(frozen=True)
-class Canvas:
+class EditFrame:
     """What the places of edits are parts of: its lower left corner (2,) and its size (2,) m."""
 
     low: Floats
     size: Floats
 
     @staticmethod
-    def of(drawing: Drawing) -> Canvas:
+    def of(drawing: Drawing) -> EditFrame:
         """The picture that a drawing was traced in, else the box round it."""
         every = np.concatenate([part.outer for part in drawing.parts])
         low, high = bounds(every if drawing.canvas is None else drawing.canvas)
-        return Canvas(low, high - low)
+        return EditFrame(low, high - low)
 
     def on(self, edit: OutlineEdit) -> OutlineEdit:
         """An edit with its places in metres."""
@@ -214,7 +214,7 @@ def node_edit(
     loop = nodes.loops[number]
     if kind == REMOVE and len(loop.nodes) <= FEWEST:
         if nodes.owner(number)[1] == 0:
-            raise InputError(f"An outline keeps {FEWEST} nodes: move them instead.")
+            raise InputError("An outline keeps three nodes: move them instead.")
         kind = FILL
     if kind == FILL:
         return OutlineEdit(FILL, loop.points[point][None], to, mirrored)

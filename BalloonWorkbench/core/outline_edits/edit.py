@@ -83,7 +83,7 @@ def _edit(data: Any, number: int) -> OutlineEdit:
         raise InputError(f"Outline edit {number} has an unknown '{unknown[0]}'. Use {', '.join(_KEYS)}.")
     kind, at = str(data["do"]), data.get("at")
     if not isinstance(at, list) or len(at) != _PLACES[kind] or not all(map(_is_place, at)):
-        raise InputError(f"Outline edit {number} needs {_PLACES[kind]} places [x, y] as its 'at'. {_EXAMPLE}")
+        raise InputError(f"Outline edit {number} has an 'at' that does not fit. {_EXAMPLE}")
     to = data.get("to", [0.0, 0.0])
     if not _is_place(to) or (kind == MOVE) != ("to" in data):
         raise InputError(

@@ -18,7 +18,7 @@ from BalloonWorkbench.core.geometry.polyline import signed_area
 from BalloonWorkbench.core.outline.drawing import Drawing
 from BalloonWorkbench.core.outline.validity import scale_to
 from BalloonWorkbench.core.outline_edits.apply_edits import (
-    Canvas,
+    EditFrame,
     appended,
     apply_edits,
     node_edit,
@@ -117,7 +117,7 @@ def test_a_hole_is_filled_by_its_last_nodes_and_the_outline_keeps_three() -> Non
     assert nodes.drawing.largest.holes == ()
     nodes = edited(nodes, REMOVE, at(0.3, 0.2))
     assert len(nodes.loops[0].nodes) == 3
-    with pytest.raises(InputError, match="keeps 3 nodes"):
+    with pytest.raises(InputError, match="keeps three nodes"):
         node_edit(nodes, REMOVE, at(0.3, 0.0))
 
 
@@ -151,7 +151,7 @@ def test_what_would_cross_is_refused() -> None:
 
 
 def kept(drawing: Drawing, kind: str, place: np.ndarray, to: np.ndarray | None = None) -> OutlineEdit:
-    edit = Canvas.of(drawing).kept(node_edit(with_nodes(drawing), kind, place, to))
+    edit = EditFrame.of(drawing).kept(node_edit(with_nodes(drawing), kind, place, to))
     (again,) = edits_of([edit_text(edit)])
     return again
 
@@ -232,7 +232,7 @@ def test_several_shapes_are_edited_wherever_the_place_is() -> None:
 
 def test_a_node_that_is_moved_on_is_moved_once() -> None:
     nodes = with_nodes(PLATE)
-    canvas, edits = Canvas.of(PLATE), ()
+    canvas, edits = EditFrame.of(PLATE), ()
     place = at(0.3, 0.2)
     for step in (at(0.31, 0.2), at(0.32, 0.21)):
         edit = node_edit(nodes, MOVE, place, step)

@@ -4,8 +4,7 @@
 from __future__ import annotations
 
 from BalloonWorkbench.app.border import status
-from BalloonWorkbench.app.drawings.drawing_file import place_in_picture
-from BalloonWorkbench.app.outline import DRAWN_AS, PROPERTIES, read_all, set_drawing
+from BalloonWorkbench.app.outline import PROPERTIES, read_all, set_drawing
 from BalloonWorkbench.core.units import to_mm
 from BalloonWorkbench.gui.panels.widgets.drawing_preview import Preview, notes_of
 from BalloonWorkbench.gui.panels.widgets.file_page import FilePage
@@ -25,8 +24,6 @@ class FileBox(FilePage):
             choose.ask_for_drawing,
         )
         super().__init__(outline, file, "Drawing", set_drawing)
-        self._placed = "", ""  # the drawing, and how it is read, for which _place holds
-        self._place = None
         self.preview = Preview()
         self.notes = QtWidgets.QLabel()
         self.notes.setWordWrap(True)
@@ -41,11 +38,8 @@ class FileBox(FilePage):
 
     def refresh(self) -> None:
         super().refresh()
-        asked = self.obj.Drawing, DRAWN_AS[self.obj.DrawnAs]
-        if asked != self._placed:
-            self._placed = asked
-            self._place = place_in_picture(*asked) if self.obj.Drawing else None
-        self.preview.show(self.obj, self._place)
+        canvas = read_all(self.obj)[0].canvas if status.is_ready(self.obj) and self.obj.Drawing else None
+        self.preview.show(self.obj, canvas)
         self.notes.setText(notes_of(self.obj))
 
     def _size(self) -> tuple[float, float]:
