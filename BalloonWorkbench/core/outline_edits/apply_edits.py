@@ -68,7 +68,7 @@ def apply_edits(drawing: Drawing, edits: Sequence[OutlineEdit]) -> EditedDrawing
     """The drawing after all edits, in their order. What would make it cross itself is left out, too."""
     canvas = EditFrame.of(drawing)
     nodes = with_nodes(drawing)
-    axes = _axes(drawing) if any(edit.mirrored for edit in edits) else ()
+    axes = axes_of(drawing) if any(edit.mirrored for edit in edits) else ()
     left_out = []
     for number, edit in enumerate(edits, start=1):
         try:
@@ -107,18 +107,32 @@ def with_edit(nodes: NodeDrawing, edit: OutlineEdit, axes: Sequence[Mirror] = ()
 
     NoPlace, or OutlineError where loops would cross.
     """
+    after = unchecked(nodes, edit, axes)
+    checked(after.drawing)
+    return after
+
+
+def unchecked(nodes: NodeDrawing, edit: OutlineEdit, axes: Sequence[Mirror] = ()) -> NodeDrawing:
+    """The same where loops may cross: while a node is dragged."""
+    by = edit.to - edit.node
+    for places in [edit.places] if edit.kind in (ADD, FILL) else edit.places.reshape(-1, 3, 2):
+        one = replace(edit, places=places)
+        nodes = _with_images(nodes, replace(one, to=one.node + by), axes if edit.mirrored else ())
+    return nodes
+
+
+def _with_images(nodes: NodeDrawing, edit: OutlineEdit, axes: Sequence[Mirror]) -> NodeDrawing:
+    """The drawing after an edit of one node, and after its images."""
     images = []
-    for axis in axes if edit.mirrored else ():
+    for axis in axes:
         image = _image(edit, axis)
         if np.linalg.norm(image.node - edit.node) > _SAME_NODE * nodes.size:
             images.append(image)
         else:  # its node is on the axis, and stays there
             edit = replace(edit, to=0.5 * (edit.to + image.to))
-    after = _applied(nodes, edit)
-    for image in images:
-        after = _applied(after, image)
-    checked(after.drawing)
-    return after
+    for each in (edit, *images):
+        nodes = _applied(nodes, each)
+    return nodes
 
 
 def _applied(nodes: NodeDrawing, edit: OutlineEdit) -> NodeDrawing:
@@ -129,22 +143,27 @@ def _applied(nodes: NodeDrawing, edit: OutlineEdit) -> NodeDrawing:
             raise NoPlace("There is no hole any more: delete the edit.")
         return nodes.without_loop(number)
     if edit.kind == ADD:
-        return nodes.with_loop(number, _added(nodes.loops[number], edit.node, size))
-    loop, places = nodes.loops[number], []
-    spread = np.linalg.norm(edit.places[[0, 2]] - edit.node, axis=1).min()
-    for place in edit.places:
-        loop, point = _with_node(loop, place, size, min(_SAME_NODE * size, 0.4 * float(spread)))
-        places.append(point)
-    begin, at, end = (int(np.argmin(np.linalg.norm(loop.points - place, axis=1))) for place in places)
-    count = len(loop.points)
-    node, after = (at - begin) % count, (end - begin) % count or count
-    if not 0 < node < after:
-        raise NoPlace("The outline runs another way there: delete the edit.")
-    rolled = loop.rolled(begin)
+        return nodes.with_loop(number, _with_node(nodes.loops[number], edit.node, size, _HAIR * size)[0])
+    rolled, node, after = _stretch(nodes.loops[number], edit.places, size)
     if edit.kind == MOVE:
         return nodes.with_loop(number, moved(rolled, node, after, edit.to - edit.node))
     kind = PLAIN if edit.kind == REMOVE else CORNER if edit.kind == SHARP else SMOOTH
     return nodes.with_loop(number, redrawn(rolled, node, after, kind))
+
+
+def _stretch(loop: NodeLoop, places: Floats, size: float) -> tuple[NodeLoop, int, int]:
+    """The loop from the first of three places (3, 2) m on, and the points of the other two; NoPlace."""
+    spread = np.linalg.norm(places[[0, 2]] - places[1], axis=1).min()
+    points = []
+    for place in places:
+        loop, point = _with_node(loop, place, size, min(_SAME_NODE * size, 0.4 * float(spread)))
+        points.append(point)
+    begin, at, end = (int(np.argmin(np.linalg.norm(loop.points - point, axis=1))) for point in points)
+    count = len(loop.points)
+    node, after = (at - begin) % count, (end - begin) % count or count
+    if not 0 < node < after:
+        raise NoPlace("The outline runs another way there: delete the edit.")
+    return loop.rolled(begin), node, after
 
 
 def _loop_at(nodes: NodeDrawing, place: Floats) -> int:
@@ -191,11 +210,6 @@ def _kind_at(loop: NodeLoop, at: int, size: float) -> int:
     return CORNER if away <= _STRAIGHT * size else SMOOTH
 
 
-def _added(loop: NodeLoop, place: Floats, size: float) -> NodeLoop:
-    """The loop with one more node."""
-    return _with_node(loop, place, size, _HAIR * size)[0]
-
-
 def node_edit(
     nodes: NodeDrawing, kind: str, at: Floats, to: Floats | None = None, mirrored: bool = False
 ) -> OutlineEdit:
@@ -205,22 +219,50 @@ def node_edit(
     the outline itself would keep too few.
     """
     to = at if to is None else to
-    if kind in (ADD, FILL):
-        number = _loop_at(nodes, at)
-        if kind == FILL and nodes.owner(number)[1] == 0:
-            raise InputError(f"There is no hole at {place_text(at)}: give a place on its edge.")
+    if kind == ADD:
+        _loop_at(nodes, at)
         return OutlineEdit(kind, at[None], to, mirrored)
     number, point = nearest_node(nodes, at)
-    loop = nodes.loops[number]
-    if kind == REMOVE and len(loop.nodes) <= FEWEST:
-        if nodes.owner(number)[1] == 0:
-            raise InputError("An outline keeps three nodes: move them instead.")
-        kind = FILL
-    if kind == FILL:
+    loop, is_outer = nodes.loops[number], nodes.owner(number)[1] == 0
+    if kind == REMOVE and len(loop.nodes) <= FEWEST and is_outer:
+        raise InputError("An outline keeps three nodes: move them instead.")
+    if kind == FILL and is_outer:
+        raise InputError(f"There is no hole at {place_text(at)}: give a place on its edge.")
+    if kind == FILL or (kind == REMOVE and len(loop.nodes) <= FEWEST):
         return OutlineEdit(FILL, loop.points[point][None], to, mirrored)
     own = int(np.searchsorted(loop.nodes, point))
     beside = loop.nodes[[own - 1, own, (own + 1) % len(loop.nodes)]]
     return OutlineEdit(kind, loop.points[beside], to, mirrored)
+
+
+def edits_of_nodes(
+    nodes: NodeDrawing,
+    kind: str,
+    places: Sequence[Floats],
+    by: Floats,
+    axes: Sequence[Mirror] = (),
+    mirrored: bool = False,
+) -> tuple[OutlineEdit, ...]:
+    """The edits, in metres, that do the same to nodes at several places (2,): all nodes in one edit, and one
+    for each hole that is filled by it; by (2,) m as far as they move. InputError as for `node_edit`."""
+    owners = [nearest_node(nodes, place)[0] for place in places]
+    full = [
+        number
+        for number in sorted(set(owners))
+        if kind == REMOVE
+        and nodes.owner(number)[1] > 0
+        and len(nodes.loops[number].nodes) - owners.count(number) < FEWEST
+    ]
+    fills = [node_edit(nodes, FILL, places[owners.index(number)], mirrored=mirrored) for number in full]
+    triples = []
+    for place in (place for place, owner in zip(places, owners) if owner not in full):
+        edit = node_edit(nodes, kind, place, place + by, mirrored)
+        nodes = unchecked(nodes, edit, axes)
+        triples.append(edit.places)
+    if not triples:
+        return tuple(fills)
+    whole = np.concatenate(triples)
+    return (OutlineEdit(kind, whole, whole[1] + by, mirrored), *fills)
 
 
 def nearest_node(nodes: NodeDrawing, at: Floats) -> tuple[int, int]:
@@ -239,12 +281,14 @@ def appended(edits: Sequence[OutlineEdit], edit: OutlineEdit) -> tuple[OutlineEd
     """The edits and one more, as they are kept; a node that is moved on is moved once."""
     if edits and edit.kind == MOVE == edits[-1].kind and edit.mirrored == edits[-1].mirrored:
         last = edits[-1]
-        if np.allclose([last.places[0], last.to, last.places[2]], edit.places, atol=_HAIR):
+        if len(last.places) == len(edit.places) == 3 and np.allclose(
+            [last.places[0], last.to, last.places[2]], edit.places, atol=_HAIR
+        ):
             return (*edits[:-1], replace(last, to=edit.to))
     return (*edits, edit)
 
 
-def _axes(drawing: Drawing) -> tuple[Mirror, ...]:
+def axes_of(drawing: Drawing) -> tuple[Mirror, ...]:
     """The axis of each shape that is symmetric as it is."""
     return tuple(filter(None, map(exact_mirror, drawing.parts)))
 

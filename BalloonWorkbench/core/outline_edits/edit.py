@@ -25,8 +25,8 @@ from BalloonWorkbench.core.types import Floats
 #: a corner; one becomes round; a hole is filled.
 MOVE, ADD, REMOVE, SHARP, ROUND, FILL = "move", "add", "remove", "sharp", "round", "fill"
 KINDS = (MOVE, ADD, REMOVE, SHARP, ROUND, FILL)
-#: How many places an edit has: the node alone, or with the nodes before and after it.
-_PLACES = {MOVE: 3, ADD: 1, REMOVE: 3, SHARP: 3, ROUND: 3, FILL: 1}
+#: These have a single place.
+_ALONE = (ADD, FILL)
 _FARTHEST = 100.0
 _EXAMPLE = 'Write {"do": "add", "at": [[0.3, 0.5]]}.'
 _KEYS = ("do", "at", "to", "mirrored")
@@ -37,9 +37,9 @@ class OutlineEdit:
     """One change of an outline.
 
     kind      one of KINDS
-    places    (k, 2) parts of the canvas: the node; or the node before it, the node, and the one after it,
-              between which the outline changes
-    to        (2,) where a node that moves goes; else 0
+    places    (k, 2) parts of the canvas: the node; or of each node the one before it, itself, and the one
+              after it, between which the outline changes, after those before it in the list have changed
+    to        (2,) where the first of the nodes that move goes, the others as far; else 0
     mirrored  it is repeated on the other side of a symmetric outline
     """
 
@@ -50,8 +50,8 @@ class OutlineEdit:
 
     @property
     def node(self) -> Floats:
-        """Where its node is (2,)."""
-        return self.places[len(self.places) // 2]
+        """Where its first node is (2,)."""
+        return self.places[0 if self.kind in _ALONE else 1]
 
 
 def edit_text(edit: OutlineEdit) -> str:
@@ -82,7 +82,7 @@ def _edit(data: Any, number: int) -> OutlineEdit:
     if unknown:
         raise InputError(f"Outline edit {number} has an unknown '{unknown[0]}'. Use {', '.join(_KEYS)}.")
     kind, at = str(data["do"]), data.get("at")
-    if not isinstance(at, list) or len(at) != _PLACES[kind] or not all(map(_is_place, at)):
+    if not isinstance(at, list) or not all(map(_is_place, at)) or not _is_count(kind, len(at)):
         raise InputError(f"Outline edit {number} has an 'at' that does not fit. {_EXAMPLE}")
     to = data.get("to", [0.0, 0.0])
     if not _is_place(to) or (kind == MOVE) != ("to" in data):
@@ -93,6 +93,10 @@ def _edit(data: Any, number: int) -> OutlineEdit:
     if not isinstance(mirrored, bool):
         raise InputError(f"Outline edit {number}: 'mirrored' is true or false.")
     return OutlineEdit(kind, np.array(at, dtype=np.float64), np.array(to, dtype=np.float64), mirrored)
+
+
+def _is_count(kind: str, count: int) -> bool:
+    return count == 1 if kind in _ALONE else count > 0 and count % 3 == 0
 
 
 def _is_place(place: Any) -> bool:

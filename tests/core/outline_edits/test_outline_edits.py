@@ -21,6 +21,7 @@ from BalloonWorkbench.core.outline_edits.apply_edits import (
     EditFrame,
     appended,
     apply_edits,
+    edits_of_nodes,
     node_edit,
     with_edit,
 )
@@ -242,6 +243,31 @@ def test_a_node_that_is_moved_on_is_moved_once() -> None:
     assert np.allclose(apply_edits(PLATE, edits).nodes.loops[0].points, outer(nodes), atol=1e-9)
     other = canvas.kept(node_edit(nodes, MOVE, at(0.0, 0.0), at(0.0, -0.01)))
     assert len(appended(edits, other)) == 2
+
+
+def test_nodes_that_move_together_stay_as_they_are_to_each_other() -> None:
+    """A hole goes elsewhere as a whole, further than any of its nodes alone could."""
+    nodes = with_nodes(PLATE)
+    inner = nodes.loops[1]
+    by = at(0.08, 0.02)
+    (edit,) = edits_of_nodes(nodes, MOVE, [*inner.points[inner.nodes]], by)
+    (again,) = edits_of([edit_text(EditFrame.of(PLATE).kept(edit))])
+    after = apply_edits(PLATE, [again])
+    assert not after.left_out
+    moved = PLATE.largest.holes[0] + by
+    assert nearest_on_loops([after.drawing.largest.holes[0]], moved).distance.max() < 1e-6
+
+
+def test_all_nodes_of_a_hole_and_one_of_the_outline_go_at_once() -> None:
+    nodes = with_nodes(PLATE)
+    places = [at(0.3, 0.2), *nodes.loops[1].points[nodes.loops[1].nodes]]
+    edits = edits_of_nodes(nodes, REMOVE, places, at(0.0, 0.0))
+    assert [edit.kind for edit in edits] == [REMOVE, FILL]
+    frame = EditFrame.of(PLATE)
+    after = apply_edits(PLATE, [frame.kept(edit) for edit in reversed(edits)])
+    assert not after.left_out
+    assert after.drawing.largest.holes == ()
+    assert after.drawing.largest.area == pytest.approx(0.03, rel=1e-9)
 
 
 def test_texts_that_are_no_edits_are_refused() -> None:
