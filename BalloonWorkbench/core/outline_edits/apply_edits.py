@@ -18,7 +18,7 @@ from BalloonWorkbench.core.geometry.polyline import bounds, ring
 from BalloonWorkbench.core.memoize import memoized
 from BalloonWorkbench.core.outline.drawing import Drawing, checked
 from BalloonWorkbench.core.outline.symmetry import Mirror, exact_mirror
-from BalloonWorkbench.core.outline_edits.curves import moved, redrawn
+from BalloonWorkbench.core.outline_edits.curves import bendable, redrawn, shares
 from BalloonWorkbench.core.outline_edits.edit import ADD, FILL, MOVE, REMOVE, SHARP, OutlineEdit
 from BalloonWorkbench.core.outline_edits.nodes import (
     CORNER,
@@ -114,28 +114,52 @@ def with_edit(nodes: NodeDrawing, edit: OutlineEdit, axes: Sequence[Mirror] = ()
 
 def unchecked(nodes: NodeDrawing, edit: OutlineEdit, axes: Sequence[Mirror] = ()) -> NodeDrawing:
     """The same where loops may cross: while a node is dragged."""
-    by = edit.to - edit.node
+    axes = axes if edit.mirrored else ()
+    if edit.kind == MOVE:
+        return _moved(nodes, edit, axes)
     for places in [edit.places] if edit.kind in (ADD, FILL) else edit.places.reshape(-1, 3, 2):
         one = replace(edit, places=places)
-        nodes = _with_images(nodes, replace(one, to=one.node + by), axes if edit.mirrored else ())
+        for each in (one, *_images(one, axes, nodes.size)):
+            nodes = _applied(nodes, each)
     return nodes
 
 
-def _with_images(nodes: NodeDrawing, edit: OutlineEdit, axes: Sequence[Mirror]) -> NodeDrawing:
-    """The drawing after an edit of one node, and after its images."""
-    images = []
-    for axis in axes:
-        image = _image(edit, axis)
-        if np.linalg.norm(image.node - edit.node) > _SAME_NODE * nodes.size:
-            images.append(image)
-        else:  # its node is on the axis, and stays there
-            edit = replace(edit, to=0.5 * (edit.to + image.to))
-    for each in (edit, *images):
-        nodes = _applied(nodes, each)
+def _images(edit: OutlineEdit, axes: Sequence[Mirror], size: float) -> list[OutlineEdit]:
+    """The images of an edit of one node that is on none of the axes, of a drawing of a size [m]."""
+    images = [_image(edit, axis) for axis in axes]
+    return [image for image in images if np.linalg.norm(image.node - edit.node) > _SAME_NODE * size]
+
+
+def _moved(nodes: NodeDrawing, edit: OutlineEdit, axes: Sequence[Mirror]) -> NodeDrawing:
+    """All nodes of an edit, and their images, displaced at once; one on an axis stays on it."""
+    size, by, moves = nodes.size, edit.to - edit.node, []
+    for places in edit.places.reshape(-1, 3, 2):
+        own = by
+        for axis in axes:
+            image = axis.reflect(places)[::-1]
+            behind = axis.reflect((image[1] + by)[None])[0] - places[1]
+            if np.linalg.norm(image[1] - places[1]) > _SAME_NODE * size:
+                moves.append((image, behind))
+            else:
+                own = 0.5 * (own + behind)
+        moves.append((places, own))
+    loops = {_loop_at(nodes, places[1]) for places, _ in moves}
+    for number in sorted(loops):
+        own_moves = [move for move in moves if _loop_at(nodes, move[0][1]) == number]
+        loop = nodes.loops[number]
+        for places, _ in own_moves:
+            loop = bendable(*_stretch(loop, places, size))
+        displaced = loop.points.copy()
+        for places, vector in own_moves:
+            rolled, node, after = _stretch(loop, places, size)
+            first = _index_of(loop, rolled.points[0])
+            displaced += np.roll(shares(rolled, node, after), first)[:, None] * vector
+        nodes = nodes.with_loop(number, NodeLoop(displaced, loop.kinds))
     return nodes
 
 
 def _applied(nodes: NodeDrawing, edit: OutlineEdit) -> NodeDrawing:
+    """The drawing after an edit of one node that does not move it."""
     number = _loop_at(nodes, edit.node)
     size = nodes.size
     if edit.kind == FILL:
@@ -144,10 +168,8 @@ def _applied(nodes: NodeDrawing, edit: OutlineEdit) -> NodeDrawing:
         return nodes.without_loop(number)
     if edit.kind == ADD:
         return nodes.with_loop(number, _with_node(nodes.loops[number], edit.node, size, _HAIR * size)[0])
-    rolled, node, after = _stretch(nodes.loops[number], edit.places, size)
-    if edit.kind == MOVE:
-        return nodes.with_loop(number, moved(rolled, node, after, edit.to - edit.node))
     kind = PLAIN if edit.kind == REMOVE else CORNER if edit.kind == SHARP else SMOOTH
+    rolled, node, after = _stretch(nodes.loops[number], edit.places, size)
     return nodes.with_loop(number, redrawn(rolled, node, after, kind))
 
 
@@ -158,12 +180,16 @@ def _stretch(loop: NodeLoop, places: Floats, size: float) -> tuple[NodeLoop, int
     for place in places:
         loop, point = _with_node(loop, place, size, min(_SAME_NODE * size, 0.4 * float(spread)))
         points.append(point)
-    begin, at, end = (int(np.argmin(np.linalg.norm(loop.points - point, axis=1))) for point in points)
+    begin, at, end = (_index_of(loop, point) for point in points)
     count = len(loop.points)
     node, after = (at - begin) % count, (end - begin) % count or count
     if not 0 < node < after:
         raise NoPlace("The outline runs another way there: delete the edit.")
     return loop.rolled(begin), node, after
+
+
+def _index_of(loop: NodeLoop, point: Floats) -> int:
+    return int(np.argmin(np.linalg.norm(loop.points - point, axis=1)))
 
 
 def _loop_at(nodes: NodeDrawing, place: Floats) -> int:
@@ -257,8 +283,8 @@ def edits_of_nodes(
     triples = []
     for place in (place for place, owner in zip(places, owners) if owner not in full):
         edit = node_edit(nodes, kind, place, place + by, mirrored)
-        nodes = unchecked(nodes, edit, axes)
         triples.append(edit.places)
+        nodes = nodes if kind == MOVE else unchecked(nodes, edit, axes)
     if not triples:
         return tuple(fills)
     whole = np.concatenate(triples)
@@ -278,13 +304,13 @@ def nearest_node(nodes: NodeDrawing, at: Floats) -> tuple[int, int]:
 
 
 def appended(edits: Sequence[OutlineEdit], edit: OutlineEdit) -> tuple[OutlineEdit, ...]:
-    """The edits and one more, as they are kept; a node that is moved on is moved once."""
+    """The edits and one more, as they are kept; nodes that are moved on are moved once."""
     if edits and edit.kind == MOVE == edits[-1].kind and edit.mirrored == edits[-1].mirrored:
         last = edits[-1]
-        if len(last.places) == len(edit.places) == 3 and np.allclose(
-            [last.places[0], last.to, last.places[2]], edit.places, atol=_HAIR
-        ):
-            return (*edits[:-1], replace(last, to=edit.to))
+        gone = (np.abs(last.places[:, None] - last.places[None, 1::3]) < _HAIR).all(axis=2).any(axis=1)
+        now = last.places + gone[:, None] * (last.to - last.node)
+        if len(now) == len(edit.places) and np.allclose(now, edit.places, rtol=0.0, atol=_HAIR):
+            return (*edits[:-1], replace(last, to=last.to + edit.to - edit.node))
     return (*edits, edit)
 
 
@@ -295,8 +321,8 @@ def axes_of(drawing: Drawing) -> tuple[Mirror, ...]:
 
 def _image(edit: OutlineEdit, axis: Mirror) -> OutlineEdit:
     """An edit on the other side of an axis, where its stretch runs the other way, after the edit itself."""
-    places, to = axis.reflect(edit.places)[::-1].copy(), axis.reflect(edit.to[None])[0]
-    for end in (0, 2) if edit.kind in (MOVE, REMOVE) else ():  # the node itself may be beside its image
+    places = axis.reflect(edit.places)[::-1].copy()
+    for end in (0, 2) if edit.kind == REMOVE else ():  # the node itself may have been beside its image
         if np.linalg.norm(places[end] - edit.node) < 1e-3 * np.ptp(edit.places, axis=0).max():
-            places[end] = edit.to if edit.kind == MOVE else edit.places[end]
-    return replace(edit, places=places, to=to)
+            places[end] = edit.places[end]
+    return replace(edit, places=places)

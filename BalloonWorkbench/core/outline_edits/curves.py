@@ -16,28 +16,34 @@ _PIECES = 24
 _BESIDE = 0.2
 
 
-def moved(loop: NodeLoop, node: int, after: int, by: Floats) -> NodeLoop:
-    """The loop with the node at an index displaced by (2,) m, from the node at its first point to the one
-    at `after`; that is the number of points where it is the first one again.
+def bendable(loop: NodeLoop, node: int, after: int) -> NodeLoop:
+    """The loop with points close enough that it can bend, from its first point to the node at `after`, where
+    it is to; that is the number of points where it is the first one again."""
+    points, kinds = _closed(loop)
+    stretches = [(points[part], kinds[part]) for part in (slice(0, node + 1), slice(node, after + 1))]
+    finer = [_denser(*each) if SMOOTH in (each[1][0], each[1][-1]) else each for each in stretches]
+    return _joined(loop, after, *finer)
+
+
+def shares(loop: NodeLoop, node: int, after: int) -> Floats:
+    """How far each point (n,) of a loop goes with the node at an index, 1 as far, while the first point and
+    the node at `after` stay.
 
     Where a node is smooth the line keeps its direction; between corners lines stay straight.
     """
     points, kinds = _closed(loop)
-    first, last = points[: node + 1], points[node : after + 1]
-    before = _displaced(first, kinds[: node + 1], by)
-    behind = _displaced(last[::-1], kinds[node : after + 1][::-1], by)
-    return _joined(loop, after, before, (behind[0][::-1], behind[1][::-1]))
+    share = np.zeros(len(loop.points))
+    share[: node + 1] = _rising(points[: node + 1], kinds[[0, node]])
+    share[node:after] = _rising(points[node : after + 1][::-1], kinds[[after, node]])[:0:-1]
+    return share
 
 
-def _displaced(line: Floats, kinds: Kinds, by: Floats) -> tuple[Floats, Kinds]:
-    """A line whose last point goes by (2,) m and whose first one stays."""
-    if SMOOTH in (kinds[0], kinds[-1]):
-        line, kinds = _denser(line, kinds)
+def _rising(line: Floats, ends: Kinds) -> Floats:
+    """From 0 to 1 along a line (n, 2); level at an end that is smooth, as a straight line at corners."""
     at = line_lengths(line)
     at = at / at[-1]
-    begins, ends = (0.0 if kind == SMOOTH else 1.0 for kind in (kinds[0], kinds[-1]))
-    share = at**2 * (3 - 2 * at) + begins * at * (1 - at) ** 2 - ends * at**2 * (1 - at)
-    return line + share[:, None] * by, kinds
+    first, last = (0.0 if kind == SMOOTH else 1.0 for kind in ends)
+    return np.asarray(at**2 * (3 - 2 * at) + first * at * (1 - at) ** 2 - last * at**2 * (1 - at))
 
 
 def _denser(line: Floats, kinds: Kinds) -> tuple[Floats, Kinds]:

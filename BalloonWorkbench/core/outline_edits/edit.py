@@ -38,7 +38,7 @@ class OutlineEdit:
 
     kind      one of KINDS
     places    (k, 2) parts of the canvas: the node; or of each node the one before it, itself, and the one
-              after it, between which the outline changes, after those before it in the list have changed
+              after it, between which the outline changes
     to        (2,) where the first of the nodes that move goes, the others as far; else 0
     mirrored  it is repeated on the other side of a symmetric outline
     """
