@@ -91,7 +91,6 @@ class OutlineProxy(DocumentProxy):
         show_in_editor(obj, Source=shared, Symmetry=shared, Passage=shared)
 
     def compute(self, obj):
-        from BalloonWorkbench.app.drawings.drawing_file import trace
         from BalloonWorkbench.app.properties.quantities import metres
         from BalloonWorkbench.core.outline.chambers import linked
 
@@ -102,8 +101,7 @@ class OutlineProxy(DocumentProxy):
         with status.reported(obj, has_result):
             first = leader(obj)
             if not first.Source:
-                choices = SYMMETRY[first.Symmetry], DRAWN_AS[first.DrawnAs]
-                trace(f"Tracing {first.Label}", first.Drawing, first.Width, first.Height, *choices)
+                trace(first)
             outline, kind, placement = read(obj)
             outline = linked(outline, metres(first.Passage))
             outline = repairs.repair_outline(obj, outline, scales=not first.Source)
@@ -180,6 +178,14 @@ def read_all(obj):
         return evened(drawing, SYMMETRY[obj.Symmetry], drawn=False), "sketch", placement
     drawing, kind = read_plain(obj)
     return (edited(obj, drawing).drawing if obj.OutlineEdits else drawing), kind, None
+
+
+def trace(obj) -> None:
+    """Read the file of an outline beside the window: `read_plain` has it at once then."""
+    from BalloonWorkbench.app.drawings import drawing_file
+
+    choices = SYMMETRY[obj.Symmetry], DRAWN_AS[obj.DrawnAs]
+    drawing_file.trace(f"Tracing {obj.Label}", obj.Drawing, obj.Width, obj.Height, *choices)
 
 
 def edited(obj, drawing):

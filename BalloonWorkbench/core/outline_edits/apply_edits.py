@@ -271,6 +271,14 @@ def edits_of_nodes(
 ) -> tuple[OutlineEdit, ...]:
     """The edits, in metres, that do the same to nodes at several places (2,): all nodes in one edit, and one
     for each hole that is filled by it; by (2,) m as far as they move. InputError as for `node_edit`."""
+    images = [axis.reflect(np.stack(places)) for axis in axes if mirrored]
+    places = [
+        place
+        for number, place in enumerate(places)  # one whose image goes is itself an image
+        if not any(
+            (np.abs(image[:number] - place) < _SAME_NODE * nodes.size).all(axis=1).any() for image in images
+        )
+    ]
     owners = [nearest_node(nodes, place)[0] for place in places]
     full = [
         number
@@ -314,6 +322,7 @@ def appended(edits: Sequence[OutlineEdit], edit: OutlineEdit) -> tuple[OutlineEd
     return (*edits, edit)
 
 
+@memoized(8)
 def axes_of(drawing: Drawing) -> tuple[Mirror, ...]:
     """The axis of each shape that is symmetric as it is."""
     return tuple(filter(None, map(exact_mirror, drawing.parts)))

@@ -25,6 +25,12 @@ class FileBox(FilePage):
         )
         super().__init__(outline, file, "Drawing", set_drawing)
         self.preview = Preview()
+        self.nodes = QtWidgets.QPushButton(translate("Edit outline ..."))
+        self.nodes.setObjectName("EditNodes")
+        self.nodes.setToolTip(
+            translate("Move, add and remove nodes of the outline in a tab, over the picture")
+        )
+        self.nodes.clicked.connect(self._edit_nodes)
         self.notes = QtWidgets.QLabel()
         self.notes.setWordWrap(True)
         form, sizes = self.form, {"Width": lambda: self._size()[0], "Height": lambda: self._size()[1]}
@@ -34,13 +40,20 @@ class FileBox(FilePage):
             if item.label:
                 form.add(item, sizes.get(item.name))
         form.addRow(self.preview)
+        form.addRow(self.nodes)
         form.addRow(self.notes)
 
     def refresh(self) -> None:
         super().refresh()
         canvas = read_all(self.obj)[0].canvas if status.is_ready(self.obj) and self.obj.Drawing else None
         self.preview.show(self.obj, canvas)
+        self.nodes.setEnabled(bool(self.obj.Drawing) and bool(self.obj.LoopCounts))
         self.notes.setText(notes_of(self.obj))
+
+    def _edit_nodes(self, _checked: bool = False) -> None:
+        from BalloonWorkbench.gui.outline_editor.tab import open_tab
+
+        open_tab(self.obj, self.changed.emit)
 
     def _size(self) -> tuple[float, float]:
         """Width and height of the whole drawing in mm; 0 while there is none."""
