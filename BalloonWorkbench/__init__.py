@@ -7,7 +7,7 @@ In FreeCAD the functions of the Python API are here: BalloonWorkbench.from_pictu
 _RELEASE = {"__version__": "VERSION", "__date__": "DATE"}
 _BALLOONS = (
     *("from_picture", "from_sketch", "from_profile", "from_panels", "from_body"),
-    *("parts", "panels", "change", "inflate", "findings", "repair"),
+    *("parts", "panels", "change", "inflate", "edit_outline", "findings", "repair"),
 )
 _MAKING = (
     *("export", "tool_paths", "artwork", "arrange", "sketch", "nest", "keep_remnant"),

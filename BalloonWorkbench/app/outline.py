@@ -47,6 +47,12 @@ PROPERTIES = (
         label="Keep the proportions",
     ),
     *properties_of(ReadingOptions),
+    Property(
+        "StringList",
+        "OutlineEdits",
+        "Drawing",
+        "How the outline was edited by hand: nodes moved, added and removed, one JSON text each",
+    ),
     *repairs.PROPERTIES,
     *arrange.PROPERTIES,
     arrange.FROM_SKETCH,
@@ -79,12 +85,12 @@ class OutlineProxy(DocumentProxy):
     def follow_source(self, obj):
         """A sketch brings its own size: hide the wanted one. The leader has all of them."""
         mode = "hide" if obj.Source or obj.Leader else "edit"
-        show_in_editor(obj, Drawing=mode, Width=mode, Height=mode, KeepAspect=mode, DrawnAs=mode)
+        own = ("Drawing", "Width", "Height", "KeepAspect", "DrawnAs", "OutlineEdits")
+        show_in_editor(obj, **dict.fromkeys(own, mode))
         shared = "hide" if obj.Leader else "edit"
         show_in_editor(obj, Source=shared, Symmetry=shared, Passage=shared)
 
     def compute(self, obj):
-        from BalloonWorkbench.app.drawings.drawing_file import trace
         from BalloonWorkbench.app.properties.quantities import metres
         from BalloonWorkbench.core.outline.chambers import linked
 
@@ -95,8 +101,7 @@ class OutlineProxy(DocumentProxy):
         with status.reported(obj, has_result):
             first = leader(obj)
             if not first.Source:
-                choices = SYMMETRY[first.Symmetry], DRAWN_AS[first.DrawnAs]
-                trace(f"Tracing {first.Label}", first.Drawing, first.Width, first.Height, *choices)
+                trace(first)
             outline, kind, placement = read(obj)
             outline = linked(outline, metres(first.Passage))
             outline = repairs.repair_outline(obj, outline, scales=not first.Source)
@@ -171,11 +176,32 @@ def read_all(obj):
 
         drawing, placement = drawing_of(*obj.Source)
         return evened(drawing, SYMMETRY[obj.Symmetry], drawn=False), "sketch", placement
+    drawing, kind = read_plain(obj)
+    return (edited(obj, drawing).drawing if obj.OutlineEdits else drawing), kind, None
+
+
+def trace(obj) -> None:
+    """Read the file of an outline beside the window: `read_plain` has it at once then."""
+    from BalloonWorkbench.app.drawings import drawing_file
+
+    choices = SYMMETRY[obj.Symmetry], DRAWN_AS[obj.DrawnAs]
+    drawing_file.trace(f"Tracing {obj.Label}", obj.Drawing, obj.Width, obj.Height, *choices)
+
+
+def edited(obj, drawing):
+    """A drawing after the edits of an outline, a core's EditedDrawing."""
+    from BalloonWorkbench.core.outline_edits.apply_edits import apply_edits
+    from BalloonWorkbench.core.outline_edits.edit import edits_of
+
+    return apply_edits(drawing, edits_of(obj.OutlineEdits))
+
+
+def read_plain(obj):
+    """All shapes of the file of an outline before they were edited by hand, and what it is."""
     from BalloonWorkbench.app.drawings.drawing_file import read_drawing
 
     choices = SYMMETRY[obj.Symmetry], DRAWN_AS[obj.DrawnAs]
-    drawing, kind = read_drawing(obj.Drawing, obj.Width, obj.Height, obj.KeepAspect, *choices)
-    return drawing, kind, None
+    return read_drawing(obj.Drawing, obj.Width, obj.Height, obj.KeepAspect, *choices)
 
 
 def show(obj, outline, kind: str) -> None:

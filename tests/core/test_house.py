@@ -37,10 +37,10 @@ WINDOW = {"FreeCADGui", "Gui", "PartGui", "MeshGui", "SketcherGui", "pivy"}
 QT = {"PySide", "PySide2", "PySide6", "PyQt5", "PyQt6", "shiboken2", "shiboken6"}
 
 #: The rooms of the core in the order of the data; a room uses only those before it.
-ROOMS = ["geometry", "files", "options", "pages", "language", "arcs", "outline", "tracing", "readers", "film"]
-ROOMS += ["panels", "mesh", "bags", "bodies", "targets", "segmentation", "seam_edits", "flattening"]
-ROOMS += ["solver", "design", "correction", "bag_design", "target_design", "results"]
-ROOMS += ["pattern", "arrangement", "bag_pattern", "nesting", "making", "tolerances"]
+ROOMS = ["geometry", "files", "options", "pages", "language", "arcs", "outline", "tracing", "readers"]
+ROOMS += ["outline_edits", "film", "panels", "mesh", "bags", "bodies", "targets", "segmentation"]
+ROOMS += ["seam_edits", "flattening", "solver", "design", "correction", "bag_design", "target_design"]
+ROOMS += ["results", "pattern", "arrangement", "bag_pattern", "nesting", "making", "tolerances"]
 ROOMS += ["machines", "pictures", "artwork", "scenes", "assembly_sheet", "advice", "reports", "web_pages"]
 ROOMS += ["as_made", "studies"]
 

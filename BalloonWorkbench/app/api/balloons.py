@@ -12,6 +12,7 @@ from BalloonWorkbench.app import balloon
 from BalloonWorkbench.app.api.call import bordered, done, parts_with
 from BalloonWorkbench.app.document import create
 from BalloonWorkbench.app.document.parts import Parts, panels_of
+from BalloonWorkbench.app.drawings import outline_edits
 from BalloonWorkbench.app.engine import advice, repairs
 from BalloonWorkbench.app.properties import values
 from BalloonWorkbench.core.errors import InputError
@@ -93,6 +94,15 @@ def inflate(made: Parts) -> None:
     """Inflate a balloon that does not do so by itself, `live` being off; its Status tells what came of it."""
     if not done:
         balloon.inflate_now(made.balloon)
+
+
+@bordered
+def edit_outline(made: Parts, do: str, at, to=None, mirrored: bool = False) -> None:
+    """Edit an outline by hand: "move" the node nearest to `at` [mm] `to` a place, "add" one, "remove" it, or
+    make it "sharp" or "round", or "fill" its hole; mirrored: on both sides of a symmetric one. InputError."""
+    if not done:
+        outline_edits.edit(made.outline, do, at, to, mirrored)
+        made.balloon.Document.recompute()
 
 
 @bordered

@@ -119,29 +119,3 @@ def decoder():
     from BalloonWorkbench.app.drawings.qt_picture import decode
 
     return decode
-
-
-def place_in_picture(path: str, drawn_as: str = AUTO) -> tuple[float, float, float, float] | None:
-    """Where the shape lies in a picture: left, bottom, right and top in parts of its width and height.
-
-    For showing the outline over the picture; None where there is no picture or no shape.
-    """
-    from BalloonWorkbench.app.border import hooks
-
-    return hooks.ask("Looking at the picture", _place, file_of(path), drawn_as)
-
-
-@memoized(most=8)
-def _place(file: File, drawn_as: str) -> tuple[float, float, float, float] | None:
-    from BalloonWorkbench.core.errors import BalloonError
-    from BalloonWorkbench.core.geometry.polyline import bounds
-    from BalloonWorkbench.core.tracing.picture import placed_drawing, shrunk
-
-    try:
-        rgba = shrunk(drawn_pixels_of(file))
-        drawing, corner = placed_drawing(rgba, drawn_as=drawn_as)
-    except BalloonError:
-        return None
-    loop, (height, width) = corner + drawing.largest.outer, rgba.shape[:2]
-    (left, low), (right, high) = bounds(loop)
-    return left / width, low / height, right / width, high / height

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -27,9 +27,12 @@ class Drawing:
     """Outlines in one plane, the largest first, each the outline of a balloon of its own.
 
     Remarks on the drawing as a whole are with the notes of the first one.
+
+    canvas  lower left and upper right corner (2, 2) m of the picture it was traced in; None: there is none
     """
 
     parts: tuple[Outline, ...]
+    canvas: Floats | None = field(default=None, compare=False)
 
     @property
     def largest(self) -> Outline:
@@ -49,7 +52,8 @@ class Drawing:
 
     def map(self, transform: Callable[[Floats], Floats]) -> Drawing:
         """The drawing with an orientation-keeping map of (n, 2) points applied to each loop."""
-        return Drawing(tuple(part.map(transform) for part in self.parts))
+        canvas = None if self.canvas is None else transform(self.canvas)
+        return Drawing(tuple(part.map(transform) for part in self.parts), canvas)
 
 
 def checked(drawing: Drawing, budget: Budget | None = None) -> Drawing:
@@ -60,7 +64,7 @@ def checked(drawing: Drawing, budget: Budget | None = None) -> Drawing:
     place = first_crossing(every, (), budget.check_time) if len(parts) > 1 else None
     if place is not None:
         raise OutlineError(f"Two shapes meet at {place_text(place)}; part them, or join them into one.")
-    return Drawing(parts)
+    return Drawing(parts, drawing.canvas)
 
 
 def arranged(loops: Sequence[Floats], notes: Sequence[str] = (), budget: Budget | None = None) -> Drawing:

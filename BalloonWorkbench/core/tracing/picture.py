@@ -126,7 +126,8 @@ def placed_drawing(
     traced = _simple(shapes_and_holes, step * max(rgba.shape[:2]), budget)
     corner = np.concatenate([loops[0] for loops in traced]).min(axis=0)
     outlines = [Outline(outer - corner, tuple(hole - corner for hole in inner)) for outer, *inner in traced]
-    return Drawing((replace(outlines[0], notes=tuple(notes)), *outlines[1:])), corner
+    canvas = np.array([[0.0, 0.0], [rgba.shape[1], rgba.shape[0]]]) - corner
+    return Drawing((replace(outlines[0], notes=tuple(notes)), *outlines[1:]), canvas), corner
 
 
 def _holes_of(

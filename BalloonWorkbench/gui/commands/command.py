@@ -19,6 +19,7 @@ _KEYS = {
     "FromProfile": "B, O",
     "FromBody": "B, Y",
     "FromPanels": "B, N",
+    "EditOutline": "B, U",
     "Advice": "B, A",
     "PatternView": "B, F",
     "ColourMap": "B, M",

@@ -38,6 +38,27 @@ class AdviceCommand(PatternCommand):
             show(AdvicePanel(parts))
 
 
+class EditOutline(PatternCommand):
+    """Opens a tab with the nodes of the selected balloon's outline."""
+
+    drawing = "edit_outline"
+    menu_text = QT_TRANSLATE_NOOP("BalloonWorkbench_EditOutline", "Edit outline")
+    tool_tip = QT_TRANSLATE_NOOP(
+        "BalloonWorkbench_EditOutline",
+        "Move, add and remove nodes of the outline over its picture, and set how the picture is read",
+    )
+
+    def IsActive(self):
+        return super().IsActive() and any(kinds.is_outline(parts.outline) for parts in known_parts())
+
+    def Activated(self):
+        from BalloonWorkbench.app.drawings.outline_edits import editable
+        from BalloonWorkbench.gui.outline_editor.tab import open_tab
+
+        drawn = [parts for parts in known_parts() if kinds.is_outline(parts.outline)]
+        open_tab(editable((selected_parts() or drawn)[0].outline))
+
+
 class PatternViewCommand(PatternCommand):
     """Opens a tab with the flat pieces of the selected pattern or sheet of film."""
 

@@ -7,8 +7,7 @@ from pathlib import Path
 import pytest
 
 from BalloonWorkbench.app.document import create
-from BalloonWorkbench.app.drawings.drawing_file import place_in_picture
-from BalloonWorkbench.app.outline import DRAWN_AS, set_drawing
+from BalloonWorkbench.app.outline import DRAWN_AS, read_all, set_drawing
 
 sys.path.append(str(Path(__file__).parents[2] / "core"))
 import drawn_pictures as pictures
@@ -40,6 +39,9 @@ def test_a_filled_hole_is_told_and_had_back(outline):
 
 def test_the_shape_lies_in_the_picture_as_it_is_read(outline):
     """The handle's right end is at 335 of 400 px, the body's left at 40."""
-    for choice in DRAWN_AS.values():
-        left, _, right, _ = place_in_picture(outline.Drawing, choice)
-        assert (left, right) == pytest.approx((0.1, 0.8375), abs=0.003)
+    for choice in DRAWN_AS:
+        outline.DrawnAs = choice
+        drawing = read_all(outline)[0]
+        (left, _), (right, _) = drawing.canvas
+        whole, wide = right - left, drawing.size[0]
+        assert (-left / whole, (wide - left) / whole) == pytest.approx((0.1, 0.8375), abs=0.003)

@@ -4,8 +4,7 @@
 from __future__ import annotations
 
 from BalloonWorkbench.app.border import status
-from BalloonWorkbench.app.drawings.drawing_file import place_in_picture
-from BalloonWorkbench.app.outline import DRAWN_AS, PROPERTIES, read_all, set_drawing
+from BalloonWorkbench.app.outline import PROPERTIES, read_all, set_drawing
 from BalloonWorkbench.core.units import to_mm
 from BalloonWorkbench.gui.panels.widgets.drawing_preview import Preview, notes_of
 from BalloonWorkbench.gui.panels.widgets.file_page import FilePage
@@ -26,9 +25,13 @@ class FileBox(FilePage):
             choose.ask_for_drawing,
         )
         super().__init__(outline, file, "Drawing", set_drawing)
-        self._placed = "", ""  # the drawing, and how it is read, for which _place holds
-        self._place = None
         self.preview = Preview()
+        self.nodes = QtWidgets.QPushButton(translate("Edit outline ..."))
+        self.nodes.setObjectName("EditNodes")
+        self.nodes.setToolTip(
+            translate("Move, add and remove nodes of the outline in a tab, over the picture")
+        )
+        self.nodes.clicked.connect(self._edit_nodes)
         self.notes = WrappedLabel()
         form, sizes = self.form, {"Width": lambda: self._size()[0], "Height": lambda: self._size()[1]}
         form.addRow(QtWidgets.QLabel(translate("File")))
@@ -37,16 +40,20 @@ class FileBox(FilePage):
             if item.label:
                 form.add(item, sizes.get(item.name))
         form.addRow(self.preview)
+        form.addRow(self.nodes)
         form.addRow(self.notes)
 
     def refresh(self) -> None:
         super().refresh()
-        asked = self.obj.Drawing, DRAWN_AS[self.obj.DrawnAs]
-        if asked != self._placed:
-            self._placed = asked
-            self._place = place_in_picture(*asked) if self.obj.Drawing else None
-        self.preview.show(self.obj, self._place)
+        canvas = read_all(self.obj)[0].canvas if status.is_ready(self.obj) and self.obj.Drawing else None
+        self.preview.show(self.obj, canvas)
+        self.nodes.setEnabled(bool(self.obj.Drawing) and bool(self.obj.LoopCounts))
         self.notes.setText(notes_of(self.obj))
+
+    def _edit_nodes(self, _checked: bool = False) -> None:
+        from BalloonWorkbench.gui.outline_editor.tab import open_tab
+
+        open_tab(self.obj, self.changed.emit)
 
     def _size(self) -> tuple[float, float]:
         """Width and height of the whole drawing in mm; 0 while there is none."""

@@ -37,10 +37,10 @@ class Preview(QtWidgets.QWidget):
         self._path = QtGui.QPainterPath()
         self._welds = QtGui.QPainterPath()
 
-    def show(self, outline, place=None) -> None:
-        """Draw an outline object; over its picture when the place of the shape in that is given.
+    def show(self, outline, canvas=None) -> None:
+        """Draw an outline object; over its picture, where there is one.
 
-        place  left, bottom, right and top of the shape in parts of the picture's width and height
+        canvas  lower left and upper right corner (2, 2) m of the picture
         """
         self._path, self._welds = QtGui.QPainterPath(), QtGui.QPainterPath()
         if outline.LoopCounts and status.is_ready(outline):
@@ -54,15 +54,11 @@ class Preview(QtWidgets.QWidget):
                     QtGui.QPolygonF([QtCore.QPointF(x, -y) for x, y in to_mm(loop).tolist()])
                 )
                 self._path.closeSubpath()
-        self._show_picture(outline.Drawing if place else "")
-        self._picture_box = self._path.boundingRect()
-        if place and not self._picture_box.isEmpty():
-            left, bottom, right, top = place
-            shape = self._picture_box
-            width, height = shape.width() / (right - left), shape.height() / (top - bottom)
-            self._picture_box = QtCore.QRectF(
-                shape.left() - left * width, shape.top() - (1.0 - top) * height, width, height
-            )
+        self._show_picture("" if canvas is None else outline.Drawing)
+        self._picture_box = QtCore.QRectF()
+        if canvas is not None:
+            (left, low), (right, high) = to_mm(canvas).tolist()
+            self._picture_box = QtCore.QRectF(left, -high, right - left, high - low)
         self.update()
 
     def _show_picture(self, path: str) -> None:

@@ -1,0 +1,263 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The nodes of an outline in their tab, with mouse and keys; one undo step for each edit."""
+
+import brush
+import FreeCAD as App
+import FreeCADGui as Gui
+import hands
+import numpy as np
+import pytest
+from drawn_pictures import any_of, coloured, disc, drawn, png, ring
+
+from BalloonWorkbench.app.border import status
+from BalloonWorkbench.app.document import create
+from BalloonWorkbench.core.outline_edits.nodes import CORNER
+from BalloonWorkbench.core.units import from_mm
+from BalloonWorkbench.gui.outline_editor import tab as tabs
+
+Kind, Qt = hands.QtCore.QEvent, hands.QtCore.Qt
+
+
+def picture(folder):
+    """A body with a wide hole and an ear, 300 x 200 px."""
+    shape = any_of(ring(150, 90, 80, 30), disc(215, 150, 32))
+    path = folder / "body.png"
+    path.write_bytes(png(coloured(drawn(shape, 300, 200, fine=3))[..., :3]))
+    return path
+
+
+@pytest.fixture
+def made(doc, tmp_path):
+    """A balloon that is not inflated yet: 240 mm wide, with a hole."""
+    parts = create.make(doc)
+    parts.outline.DrawnAs, parts.outline.Symmetry = "Filled shape", "Off"
+    parts.outline.Width = 240
+    from BalloonWorkbench.app.outline import set_drawing
+
+    set_drawing(parts.outline, picture(tmp_path))
+    parts.balloon.Live = False
+    doc.recompute([parts.outline])
+    assert parts.outline.HoleCount == 1
+    return parts
+
+
+def open_tab(obj):
+    App.setActiveDocument(obj.Document.Name)
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(obj)
+    hands.wait(0.3)  # from FreeCAD 1.0 on that brings the 3D view to the front
+    Gui.runCommand("BalloonWorkbench_EditOutline")
+    return seen(obj)
+
+
+def seen(obj):
+    (tab,) = [each for each in tabs._tabs if each.obj.Document == obj.Document]
+    hands.wait_until(lambda: tab.isVisible() and tab.parentWidget().isMaximized(), 5)
+    size = None
+    while size != tab.view.size():
+        size = tab.view.size()
+        hands.wait(0.1)
+    return tab
+
+
+def press(tab, kind, place, held=Qt.LeftButton, by=(0, 0)):
+    at = hands.QtCore.QPointF(tab.view.place_of(place)) + hands.QtCore.QPointF(*by)
+    assert tab.view.viewport().rect().contains(at.toPoint())
+    brush.mouse_at(tab.view.viewport(), kind, at, Qt.LeftButton, held)
+
+
+def click(tab, place):
+    press(tab, Kind.MouseButtonPress, place)
+    press(tab, Kind.MouseButtonRelease, place, Qt.NoButton)
+    hands.wait(0.05)
+
+
+def drag(tab, place, by, let_go=True):
+    """By so many pixels."""
+    press(tab, Kind.MouseButtonPress, place)
+    for share in (0.3, 0.7, 1.0):
+        press(tab, Kind.MouseMove, place, by=(share * by[0], share * by[1]))
+        hands.wait(0.02)
+    if let_go:
+        press(tab, Kind.MouseButtonRelease, place, Qt.NoButton, by=by)
+        hands.wait(0.05)
+
+
+def key(tab, code, modifier=Qt.NoModifier):
+    for kind in (Kind.ShortcutOverride, Kind.KeyPress):
+        event = hands.QtGui.QKeyEvent(kind, code, modifier)
+        hands.QtWidgets.QApplication.sendEvent(tab.view, event)
+    hands.wait(0.05)
+
+
+def nodes(tab, loop=0):
+    own = tab.state.nodes.loops[loop]
+    return own.points[own.nodes]
+
+
+def highest(tab):
+    return nodes(tab)[np.argmax(nodes(tab)[:, 1])]
+
+
+def test_a_node_is_dragged_over_the_picture_and_undone(made):
+    tab = open_tab(made.outline)
+    before, count = made.outline.SizeY.Value, len(made.outline.Document.UndoNames)
+    assert not tab.view._picture.isNull()
+    top = highest(tab)
+    drag(tab, top, (0, -40), let_go=False)
+    hands.screenshot("outline-editor-drag")
+    assert not made.outline.OutlineEdits  # it is only shown
+    press(tab, Kind.MouseButtonRelease, top, Qt.NoButton, by=(0, -40))
+    hands.wait(0.05)
+    assert len(made.outline.OutlineEdits) == 1
+    assert highest(tab)[1] - top[1] == pytest.approx(from_mm(40 / tab.view.zoom), rel=1e-3)
+    assert made.outline.SizeY.Value > before + 25 / tab.view.zoom
+    assert status.is_ready(made.outline)
+    assert made.outline.Document.UndoNames[0] == "Edit outline"
+    assert len(made.outline.Document.UndoNames) == count + 1
+    hands.screenshot("outline-editor")
+    key(tab, Qt.Key_Z, Qt.ControlModifier)
+    hands.wait_until(lambda: np.allclose(highest(tab), top, atol=1e-6), 5)
+    assert (list(made.outline.OutlineEdits), made.outline.SizeY.Value) == ([], pytest.approx(before))
+    key(tab, Qt.Key_Z, Qt.ControlModifier | Qt.ShiftModifier)
+    hands.wait_until(lambda: len(made.outline.OutlineEdits) == 1, 5)
+
+
+def test_a_click_on_the_line_adds_a_node_and_delete_takes_it_away(made):
+    tab = open_tab(made.outline)
+    loop = tab.state.nodes.loops[0]
+    first, second = loop.nodes[:2]
+    place = loop.points[(first + second) // 2]
+    count, area = len(loop.nodes), made.outline.Shape.Area
+    click(tab, place)
+    assert len(nodes(tab)) == count + 1
+    assert made.outline.Shape.Area == pytest.approx(area, rel=1e-9)
+    assert len(tab.view.chosen) == 1
+    key(tab, Qt.Key_Delete)
+    assert len(nodes(tab)) == count
+    key(tab, Qt.Key_Delete)  # nothing is picked
+    assert len(nodes(tab)) == count
+
+
+def test_a_node_is_made_sharp_and_round(made):
+    tab = open_tab(made.outline)
+    top = nodes(tab)[np.argmin(nodes(tab)[:, 1])]
+    click(tab, top)
+    key(tab, Qt.Key_S)
+    loop = tab.state.nodes.loops[0]
+    at = np.argmin(np.linalg.norm(loop.points - top, axis=1))
+    assert loop.kinds[at] == CORNER
+    press(tab, Kind.MouseButtonDblClick, top)
+    hands.wait(0.05)
+    assert tab.state.nodes.loops[0].kinds.tolist().count(CORNER) == loop.kinds.tolist().count(CORNER) - 1
+    assert len(made.outline.OutlineEdits) == 2
+
+
+def test_arrow_keys_push_and_are_one_edit(made):
+    tab = open_tab(made.outline)
+    top = highest(tab)
+    click(tab, top)
+    for _ in range(5):
+        key(tab, Qt.Key_Up, Qt.ShiftModifier)
+    assert len(made.outline.OutlineEdits) == 1
+    assert highest(tab)[1] - top[1] == pytest.approx(from_mm(50 / tab.view.zoom), rel=1e-3)
+
+
+def test_a_hole_moves_as_a_whole_and_is_filled(made):
+    tab = open_tab(made.outline)
+    hole = nodes(tab, 1)
+    low, high = (
+        hands.QtCore.QPointF(tab.view.place_of(each)) for each in (hole.min(axis=0), hole.max(axis=0))
+    )
+    corner = hands.QtCore.QPointF(low.x() - 15, high.y() - 15)
+    view = tab.view.viewport()
+    brush.mouse_at(view, Kind.MouseButtonPress, corner)
+    for at in (hands.QtCore.QPointF(low.x(), low.y()), hands.QtCore.QPointF(high.x() + 15, low.y() + 15)):
+        brush.mouse_at(view, Kind.MouseMove, at)
+    brush.mouse_at(view, Kind.MouseButtonRelease, at, held=Qt.NoButton)
+    hands.wait(0.05)
+    assert len(tab.view.chosen) == len(hole)
+    area = made.outline.Shape.Area
+    drag(tab, hole[0], (-25, 0))
+    assert len(tab.view.chosen) == len(hole)
+    assert made.outline.Shape.Area == pytest.approx(area, rel=1e-3)
+    assert hole[0][0] - nodes(tab, 1)[:, 0].max() > from_mm(20 / tab.view.zoom) - np.ptp(hole[:, 0])
+    key(tab, Qt.Key_Delete)
+    assert made.outline.HoleCount == 0
+    key(tab, Qt.Key_Z, Qt.ControlModifier)
+    hands.wait_until(lambda: made.outline.HoleCount == 1, 5)
+
+
+def test_what_crosses_is_refused_in_a_sentence(made):
+    tab = open_tab(made.outline)
+    points, top = list(made.outline.LoopPoints), highest(tab)
+    low = nodes(tab)[np.argmin(nodes(tab)[:, 1])]
+    reach = tab.view.place_of(low).y() - tab.view.place_of(top).y()
+    drag(tab, top, (-40, reach * 0.9))
+    assert "cross" in tab.line.text() or "meets" in tab.line.text() or "outside" in tab.line.text()
+    assert not made.outline.OutlineEdits
+    assert list(made.outline.LoopPoints) == points
+    assert np.allclose(highest(tab), top)
+    hands.screenshot("outline-editor-refused")
+
+
+def test_escape_lets_go_and_leaves(made):
+    tab = open_tab(made.outline)
+    top = highest(tab)
+    drag(tab, top, (0, -40), let_go=False)
+    key(tab, Qt.Key_Escape)
+    press(tab, Kind.MouseButtonRelease, top, Qt.NoButton, by=(0, -40))
+    assert not made.outline.OutlineEdits
+    assert tab.view._shown is None
+    key(tab, Qt.Key_Escape)
+    assert tab in tabs._tabs
+    key(tab, Qt.Key_Escape)
+    hands.wait_until(lambda: not tabs._tabs, 5)
+
+
+def test_the_balloon_follows_when_the_tab_closes(doc, tmp_path):
+    made = create.balloon_from_picture(
+        doc, picture(tmp_path), width=200, mesh_size="20 mm", mode="Inflate as drawn", drawn_as="Filled shape"
+    )
+    before = made.balloon.InflatedHeight.Value
+    tab = open_tab(made.outline)
+    drag(tab, highest(tab), (0, -60))
+    assert made.balloon.InflatedHeight.Value == before
+    hands.find("OutlineTab").close_tab()
+    hands.wait_until(lambda: made.balloon.InflatedHeight.Value > before + 5, 60)
+    assert [obj.Status for obj in made] == [status.READY] * 3
+    doc.undo()
+    assert made.balloon.InflatedHeight.Value == pytest.approx(before)
+
+
+def test_the_tab_goes_with_its_document(doc, tmp_path, made):
+    tab = open_tab(made.outline)
+    drag(tab, highest(tab), (0, -30))
+    App.closeDocument(doc.Name)
+    hands.wait_until(lambda: not tabs._tabs, 5)
+
+
+def test_in_the_panel_before_anything_is_inflated(doc, tmp_path):
+    """Edits are part of the panel's step; Ctrl+Z takes the last one back alone, Cancel all."""
+    Gui.runCommand("BalloonWorkbench_FromPicture")
+    hands.wait_until(hands.panel_is_seen)
+    hands.click(hands.find("Live"), x=8)
+    hands.type_into(hands.find("Drawing"), str(picture(tmp_path)))
+    hands.type_into(hands.find("Width"), "240 mm")
+    hands.click(hands.find("EditNodes"))
+    tab = seen(doc.Outline)
+    top, height = highest(tab), doc.Outline.SizeY.Value
+    drag(tab, top, (0, -30))
+    drag(tab, highest(tab), (0, -30))
+    assert doc.Outline.SizeY.Value > height + 30 / tab.view.zoom
+    hands.screenshot("outline-editor-panel")
+    key(tab, Qt.Key_Z, Qt.ControlModifier)
+    assert highest(tab)[1] - top[1] == pytest.approx(from_mm(30 / tab.view.zoom), rel=1e-3)
+    assert hands.panel_is_open()
+    key(tab, Qt.Key_Escape)
+    key(tab, Qt.Key_Escape)
+    hands.wait_until(lambda: not tabs._tabs, 5)
+    assert len(doc.Outline.OutlineEdits) == 1
+    hands.press("Cancel")
+    hands.wait_until(hands.panel_is_closed)
+    assert not doc.Objects
