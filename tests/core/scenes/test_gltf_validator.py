@@ -30,7 +30,7 @@ ROOT = Path(__file__).parents[3]
 PACKAGES = ROOT / "build/gltf-tools/node_modules"
 NODE = shutil.which("node")
 
-#: A note that the sides of a picture are no powers of two: programs that need those resize it (glTF 2.0, 3.8).
+#: A note that the sides of a picture are no powers of two: programs that need these resize (glTF 2.0, 3.8).
 _ALLOWED = {"IMAGE_NPOT_DIMENSIONS"}
 
 pytestmark = pytest.mark.skipif(
