@@ -24,6 +24,7 @@ demo: native ## Design a balloon from an example picture
 
 readers: setup
 	@tools/install-debian-packages.sh debian-packages-readers.txt
+	@tools/install-gltf-validator.sh
 
 test: native readers ## Check the code, run all tests; logs go to build/logs
 	@tools/test.sh lint core app gui

@@ -45,6 +45,7 @@ def checked(
     """
     artwork = _artwork(options, reader or decode)
     film = _film(options)
+    grounds = _grounds(options, reader or decode)
     language = chosen_language(options.language, os.environ)
 
     def make(
@@ -66,13 +67,8 @@ def checked(
                 )
             )
         title = readable(Path(options.input).stem).capitalize()
-        if options.glb or options.report == HTML:
-            from BalloonWorkbench.core.shared.sharing import GLB, PAGE, glb_file, page_file
-        if options.glb:
-            made.append(attempt(GLB, lambda: ({GLB: glb_file(balloon, title, artwork)}, [])))
-        if options.report == HTML:
-            page = partial(page_file, balloon, title, artwork, say, language)
-            made.append(attempt(PAGE, lambda: ({PAGE: page()}, [])))
+        for name, content in _shared(balloon, title, artwork, options, grounds, say, language).items():
+            made.append(attempt(name, partial(_alone, name, content)))
         if options.animation is not None:
             from BalloonWorkbench.core.shared.animation import animation_file
 
@@ -89,6 +85,51 @@ def checked(
         return contents, [line for _, lines in done for line in lines]
 
     return make
+
+
+def _grounds(options: argparse.Namespace, reader: Callable[[Path], Any]) -> tuple[Any, Any]:
+    """What is behind the balloon in its picture and on its page."""
+    if not (options.png or options.report == HTML):
+        if options.ground is not None:
+            raise InputError("Give --png or --report html with --ground: it is the ground of these.")
+        return None, None
+    from BalloonWorkbench.core.scenes.ground import WHITE, read_ground
+
+    def read(path: Path) -> Any:
+        picture_size(path)
+        return reader(path)
+
+    behind = read_ground(options.ground, WHITE, read)
+    return behind, None if options.ground is None else behind
+
+
+def _alone(name: str, content: Callable[[], bytes]) -> tuple[dict[str, bytes], list[str]]:
+    return {name: content()}, []
+
+
+def _shared(
+    balloon: Balloon | FinishedBags,
+    title: str,
+    artwork: Artwork | None,
+    options: argparse.Namespace,
+    grounds: tuple[Any, Any],
+    say: Say,
+    language: str,
+) -> dict[str, Callable[[], bytes]]:
+    """What shows the balloon to others, by the names of the files."""
+    if not (options.glb or options.png or options.report == HTML):
+        return {}
+    from BalloonWorkbench.core.shared import sharing
+
+    picture, page = grounds
+    made: dict[str, Callable[[], bytes]] = {}
+    if options.glb:
+        made[sharing.GLB] = partial(sharing.glb_file, balloon, title, artwork)
+    if options.png:
+        made[sharing.PICTURE] = partial(sharing.picture_file, balloon, artwork, picture)
+    if options.report == HTML:
+        made[sharing.PAGE] = partial(sharing.page_file, balloon, title, artwork, say, language, page)
+    return made
 
 
 def _print(

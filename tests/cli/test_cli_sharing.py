@@ -14,7 +14,7 @@ from PIL import Image, ImageSequence
 
 from BalloonWorkbench.cli import main
 from BalloonWorkbench.core.artwork.files import png_bytes
-from BalloonWorkbench.core.shared import animation
+from BalloonWorkbench.core.shared import animation, sharing
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "resources" / "examples"
 TWO = {"unit": "mm", "parts": [
@@ -82,6 +82,37 @@ def test_many_panels(tmp_path: Path, file: str, options: tuple[str, ...], height
     assert whole.volume == pytest.approx(inflated["volume_m3"], rel=0.1)
     assert page.count("<path") > 6
     assert page.startswith("<!DOCTYPE html>")
+
+
+def test_picture_and_page_on_a_ground(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """White or the page's own, a colour, nothing, a photograph; a wrong one is told before the work."""
+    monkeypatch.setattr(sharing, "_LARGE", (160, 120))
+    (tmp_path / "box.json").write_text(json.dumps({"unit": "mm", "outer": TWO["parts"][0]["outer"]}))
+    (tmp_path / "room.png").write_bytes(png_bytes(np.full((40, 90, 4), (20, 40, 60, 255), np.uint8), 100.0))
+    asked = ["inflate", str(tmp_path / "box.json"), "--mesh-size", "30mm", "--out", str(tmp_path / "out")]
+    for ground, corner, on_page in (
+        ((), (255, 255, 255, 255), 0),
+        (("--ground", "#102030"), (16, 32, 48, 255), 1),
+        (("--ground", "transparent"), (0, 0, 0, 0), 0),
+        (("--ground", str(tmp_path / "room.png")), (20, 40, 60, 255), 1),
+    ):
+        assert main([*asked, "--png", "--report", "html", *ground]) == 0
+        pixels = np.asarray(Image.open(tmp_path / "out" / "balloon.png").convert("RGBA"))
+        assert pixels[0, 0].tolist() == [*corner]
+        assert pixels[60, 80, :3].tolist() != [*corner[:3]]
+        page = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
+        assert page.count('id="balloon-ground"') == on_page
+    for wrong, why in (
+        (("--png", "--ground", "#10203"), "is no colour"),
+        (("--png", "--ground", str(tmp_path / "none.png")), "none.png"),
+        (("--ground", "#102030"), "Give --png"),
+    ):
+        out = tmp_path / "wrong"
+        assert main([*asked[:-1], str(out), *wrong]) != 0
+        assert why in capsys.readouterr().err
+        assert not out.exists()
 
 
 @pytest.mark.parametrize("kind", ["gif", "mp4"])

@@ -161,15 +161,19 @@ def assembly_sheet(made: Parts, path, paper: str = "A4", machine: str | None = N
 
 
 @bordered
-def share(made: Parts, path, transparent: bool = False) -> Path:
+def share(made: Parts, path, ground: str | None = None) -> Path:
     """Write a balloon as it is shown, with what is printed on it, for others; returns the file.
 
     The ending says what: .glb a 3D model, .html a page that turns it under the mouse and needs no network,
-    .png a picture on white (or transparent), .gif or .mp4 its inflation. Raises BalloonError.
+    .png a picture, .gif or .mp4 its inflation.
+
+    ground  behind it, of a page or picture: a colour such as "#3060a0", "transparent" or the path of a
+            picture; by default white, and the page's own
+    Raises BalloonError.
     """
     from BalloonWorkbench.app.sharing.share import write_shared
 
-    return Path(path) if done else write_shared(made, path, transparent=transparent)
+    return Path(path) if done else write_shared(made, path, ground=ground)
 
 
 @bordered

@@ -6,6 +6,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from BalloonWorkbench.app.border import hooks
+from BalloonWorkbench.app.drawings.drawing_file import file_of, pixels_of
 from BalloonWorkbench.app.sharing.finished_job import finished_job
 from BalloonWorkbench.core.errors import ExportError
 
@@ -13,12 +14,12 @@ GLB, PAGE, PICTURE = "glb", "html", "png"
 MOVING = ("gif", "mp4")
 
 
-def write_shared(parts, target, *, transparent: bool = False, blown=()) -> Path:
+def write_shared(parts, target, *, ground: str | None = None, blown=()) -> Path:
     """Write a balloon, as it is shown, to a file of the kind that its ending says; returns the file.
 
-    A .glb is a 3D model, a .html one page that turns it and needs no network, a .png a picture on white or on
-    nothing, a .gif or .mp4 its inflation; what is printed on it is there. blown: the core's Blown of the
-    balloon, where the inflation is known.
+    A .glb is a 3D model, a .html one page that turns it and needs no network, a .png a picture, a
+    .gif or .mp4 its inflation; what is printed on it is there. ground: of a page or picture, see
+    SharingOptions of the core. blown: the core's Blown of the balloon, where the inflation is known.
     Raises ExportError for another ending, what is not up to date and a place that cannot be written,
     MissingPackageError where nothing writes such a file.
     """
@@ -30,6 +31,7 @@ def write_shared(parts, target, *, transparent: bool = False, blown=()) -> Path:
         raise ExportError(
             f"{path.name} is no file for the web: let the name end in .glb, .html, .png, .gif or .mp4."
         )
+    behind = _ground(ground, kind)
     job, language = finished_job(parts, advised=kind == PAGE), hooks.language()
 
     def made(progress) -> bytes:
@@ -38,11 +40,18 @@ def write_shared(parts, target, *, transparent: bool = False, blown=()) -> Path:
         if kind == GLB:
             return sharing.glb_file(job.balloon, job.title, job.printed)
         if kind == PAGE:
-            return sharing.page_file(job.with_numbers(), job.title, job.printed, hooks.say, language)
+            return sharing.page_file(job.with_numbers(), job.title, job.printed, hooks.say, language, behind)
         if kind == PICTURE:
-            return sharing.picture_file(job.balloon, job.printed, transparent=transparent)
+            return sharing.picture_file(job.balloon, job.printed, behind)
         return animation.animation_file(job.balloon, kind, job.printed, progress, blown)
 
     content = hooks.run_blocking(f"Writing {path.name}", made)
     write_files(path.parent, {path.name: content})
     return path
+
+
+def _ground(text, kind: str):
+    """What is behind the balloon in a kind of file."""
+    from BalloonWorkbench.core.scenes.ground import WHITE, read_ground
+
+    return read_ground(text, WHITE if kind == PICTURE else None, lambda path: pixels_of(file_of(path)))

@@ -15,6 +15,8 @@ REFUSE, WRITE, SCALE, SPLIT = "refuse", "write", "scale", "split"
 MOST_BALLOONS = 100
 #: What cuts, and what welds by heat.
 KNIFE, LASER, SPINDLE, HOT_TIP, HOT_WHEEL = TOOLS = "knife", "laser", "spindle", "hot-tip", "hot-wheel"
+#: Behind a balloon that is shown to others: nothing.
+TRANSPARENT = "transparent"
 #: As what a report may be written beside report.json.
 HTML = "html"
 
@@ -166,6 +168,12 @@ class SharingOptions:
 
     glb: bool = MAKING(Kind.FLAG, False,
         "Also write the balloon with its artwork as balloon.glb, for 3D programs and web pages", prop="")
+    png: bool = MAKING(Kind.FLAG, False,
+        "Also write a picture of the balloon with its artwork as balloon.png", prop="")
+    ground: str | None = MAKING(Kind.TEXT, None,
+        "What is behind the balloon in that picture and on that page: a colour such as #3060a0, transparent,"
+        " or a picture file, which covers it; by default white, and the page's own", prop="",
+        metavar="GROUND")
     report: str | None = MAKING(Kind.CHOICE, None,
         "Also write one web page with the balloon in 3D, its numbers and its pattern, which needs no network",
         prop="", choices={HTML: ""})

@@ -16,9 +16,10 @@ from numpy.typing import NDArray
 from BalloonWorkbench.core.bag_job import FinishedBags
 from BalloonWorkbench.core.errors import Cancelled, MissingPackageError
 from BalloonWorkbench.core.job import Balloon, blown_up
+from BalloonWorkbench.core.scenes.ground import WHITE, laid_on
 from BalloonWorkbench.core.scenes.mesh_picture import meshes_picture
 from BalloonWorkbench.core.scenes.surface_mesh import SurfaceMesh
-from BalloonWorkbench.core.shared.sharing import Printed, on_white, surfaces
+from BalloonWorkbench.core.shared.sharing import Printed, surfaces
 from BalloonWorkbench.core.solver.dynamics.animation import Frame
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.tracing.raster import opencv
@@ -75,7 +76,7 @@ def animation_file(
     for number, meshes in enumerate(scenes):
         if not progress(_BLOWN + (1.0 - _BLOWN) * number / len(scenes), "drawing"):
             raise Cancelled("The moving picture was stopped.")
-        pictures.append(on_white(meshes_picture(meshes, *_SIZE, box)))
+        pictures.append(laid_on(meshes_picture(meshes, *_SIZE, box), WHITE))
     return write(pictures)
 
 

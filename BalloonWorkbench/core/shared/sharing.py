@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What shows a finished job to others: the balloons with their artwork as one GLB file, and as a web page."""
+"""What shows a finished job to others: balloons with their artwork as GLB file, picture and web page."""
 
 from __future__ import annotations
 
@@ -7,7 +7,6 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from BalloonWorkbench.core.artwork.files import png_bytes
 from BalloonWorkbench.core.assembly_sheet.blocks import line_names
@@ -21,6 +20,7 @@ from BalloonWorkbench.core.machines.machine_file import machine_file
 from BalloonWorkbench.core.pictures.bag_picture import upright
 from BalloonWorkbench.core.products import Artwork, box_of, pictures_of, pictures_on
 from BalloonWorkbench.core.scenes.glb import glb_bytes
+from BalloonWorkbench.core.scenes.ground import WHITE, Ground, laid_on
 from BalloonWorkbench.core.scenes.mesh_picture import meshes_picture
 from BalloonWorkbench.core.scenes.surface_mesh import (
     Painted,
@@ -30,17 +30,16 @@ from BalloonWorkbench.core.scenes.surface_mesh import (
     two_panel_meshes,
 )
 from BalloonWorkbench.core.solver.inflation import MIRROR, Inflation
-from BalloonWorkbench.core.types import Floats, Say, in_english
+from BalloonWorkbench.core.types import Say, in_english
 from BalloonWorkbench.core.units import length_text, size_text, volume_text
 from BalloonWorkbench.core.web_pages.balloon_page import BalloonPage, NamedTable, balloon_page
 
 #: The names of the files.
-GLB, PAGE = "balloon.glb", "report.html"
+GLB, PAGE, PICTURE = "balloon.glb", "report.html", "balloon.png"
 #: Of the page's picture: width, height, dots per inch.
 _PICTURE, _DPI = (720, 540), 96.0
 #: Width and height of a picture by itself, and the side of a small one [pixels].
 _LARGE, _SMALL = (1600, 1200), 96
-_PAPER = 255
 #: The balloons of a job by their names.
 Shown = Mapping[str, Sequence[SurfaceMesh]]
 #: What is printed: pictures to be laid on the film, or of two equal panels those that are in their place.
@@ -76,21 +75,15 @@ def glb_file(balloon: Balloon | FinishedBags, title: str, artwork: Printed | Non
 
 
 def picture_file(
-    balloon: Balloon | FinishedBags, artwork: Printed | None = None, *, transparent: bool = False
+    balloon: Balloon | FinishedBags, artwork: Printed | None = None, ground: Ground = WHITE
 ) -> bytes:
-    """All balloons of a job as a PNG, on white or on nothing. Raises what `shown` raises."""
+    """All balloons of a job as a PNG on a ground. Raises what `shown` raises."""
     meshes = [mesh for each in shown(balloon, "", artwork).values() for mesh in each]
     picture = meshes_picture(meshes, *_LARGE)
     pixels = np.rint(255.0 * picture).astype(np.uint8)
-    if not transparent:
-        pixels[..., :3], pixels[..., 3] = on_white(picture), 255
+    if ground is not None:
+        pixels[..., :3], pixels[..., 3] = laid_on(picture, ground), 255
     return png_bytes(pixels, _DPI)
-
-
-def on_white(picture: Floats) -> NDArray[np.uint8]:
-    """Pixels (height, width, 3) of a picture (height, width, 4), values 0 to 1, laid on white."""
-    share = picture[..., 3:]
-    return np.rint(255.0 * share * picture[..., :3] + _PAPER * (1.0 - share)).astype(np.uint8)
 
 
 def _two_panels(balloon: Balloon, artwork: Printed | None) -> Surfaces:
@@ -147,8 +140,12 @@ def page_file(
     artwork: Printed | None = None,
     say: Say = in_english,
     language: str = "en",
+    ground: Ground = None,
 ) -> bytes:
-    """The web page about a job; language: that of say. Raises what `shown` raises."""
+    """The web page about a job; language: that of say; ground: None is the page's own.
+
+    Raises what `shown` raises.
+    """
     balloons, settings = shown(balloon, title, artwork), balloon.settings
     picture = meshes_picture([mesh for meshes in balloons.values() for mesh in meshes], *_PICTURE)
     sheet = balloon.sheet
@@ -166,6 +163,7 @@ def page_file(
         [(colours[role].rgb, say(names[role])) for role in sheet.roles if role in names and role in colours],
         [(say(each["severity"]), say(each["text"])) for each in advice if each["text"] not in warnings],
         list(map(say, warnings)),
+        None if ground is None else png_bytes(ground, _DPI),
     )
     return balloon_page(subject, language, say)
 

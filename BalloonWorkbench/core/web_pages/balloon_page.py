@@ -30,6 +30,7 @@ class BalloonPage:
     tables    by balloon
     pattern   an SVG file of all that is cut; lines: their colours (#rrggbb) and what they are
     advice    how grave it is, and a sentence, each; notes: sentences
+    ground    a PNG that covers what is behind the balloon; None is the page's own
     """
 
     title: str
@@ -41,6 +42,7 @@ class BalloonPage:
     lines: Sequence[tuple[str, str]]
     advice: Sequence[tuple[str, str]]
     notes: Sequence[str]
+    ground: bytes | None = None
 
 
 def balloon_page(subject: BalloonPage, language: str = "en", say: Say = in_english) -> bytes:
@@ -83,6 +85,10 @@ def _view(subject: BalloonPage, say: Say) -> Markup:
     """The picture, in whose place the script shows the balloon in 3D; the file itself to take away."""
     alt = say(f"{subject.title}, inflated: {subject.subtitle}")
     image = element("img", id="balloon-image", src=data_uri("image/png", subject.picture), alt=alt)
+    shown = [image]
+    if subject.ground is not None:
+        address = data_uri("image/png", subject.ground)
+        shown.insert(0, element("img", id="balloon-ground", src=address, alt=""))
     keys = say("Drag to turn, turn the wheel to zoom; keys: arrows, plus, minus, Home.")
     download = element(
         "a",
@@ -93,7 +99,7 @@ def _view(subject: BalloonPage, say: Say) -> Markup:
     )
     # without scripts nothing turns
     caption = element("figcaption", element("span", f"{keys} ", id="balloon-keys", hidden=""), download)
-    return element("figure", image, caption, id="balloon")
+    return element("figure", element("div", shown, class_="stage"), caption, id="balloon")
 
 
 def _pattern(subject: BalloonPage, say: Say) -> Markup:

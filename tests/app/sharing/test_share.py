@@ -19,7 +19,7 @@ from BalloonWorkbench.app.engine import film_result
 from BalloonWorkbench.app.pattern import build
 from BalloonWorkbench.app.sharing.finished_job import finished_job
 from BalloonWorkbench.core.artwork.files import png_bytes
-from BalloonWorkbench.core.errors import ExportError
+from BalloonWorkbench.core.errors import BalloonError, ExportError
 from BalloonWorkbench.core.geometry.polyline import bounds
 from BalloonWorkbench.core.shared import sharing
 from BalloonWorkbench.core.tracing.picture_file import decode
@@ -98,16 +98,33 @@ def test_gores_too(doc, tmp_path):
 
 
 def test_print_and_ground(parts, picture, tmp_path, monkeypatch):
-    """What is printed is on the model and in the picture, left and right; the ground is white or none."""
+    """What is printed is on the model and in the picture, left and right, on each kind of ground."""
     monkeypatch.setattr(sharing, "_LARGE", (320, 240))
     BalloonWorkbench.artwork(parts.pattern, picture=str(picture), resolution=50)
     scene, _ = read_glb(BalloonWorkbench.share(parts, tmp_path / "printed.glb"))
     assert len(scene["images"]) == 1
     white = decode(BalloonWorkbench.share(parts, tmp_path / "white.png"))
-    clear = decode(BalloonWorkbench.share(parts, tmp_path / "clear.png", transparent=True))
+    clear = decode(BalloonWorkbench.share(parts, tmp_path / "clear.png", ground="transparent"))
     assert white[..., 3].min() == 255
     assert (white[0, 0, :3] == 255).all()
     assert clear[0, 0, 3] == 0
+    blue_ground = decode(BalloonWorkbench.share(parts, tmp_path / "blue.png", ground="#102030"))
+    assert blue_ground[0, 0].tolist() == [16, 32, 48, 255]
+    behind = decode(BalloonWorkbench.share(parts, tmp_path / "photo.png", ground=str(picture)))
+    assert behind[0, 0].tolist() == [20, 40, 200, 255]
+    assert behind[0, -1].tolist() == [200, 30, 30, 255]
+    for ground, count in ((None, 0), ("transparent", 0), ("#102030", 1), (str(picture), 1)):
+        page = BalloonWorkbench.share(parts, tmp_path / "page.html", ground=ground)
+        assert page.read_text("utf-8").count('id="balloon-ground"') == count
+    (tmp_path / "notes.txt").write_text("notes")
+    for wrong, why in (
+        ("#12345", "no colour"),
+        ("none.jpg", "none.jpg"),
+        (tmp_path / "notes.txt", "notes.txt"),
+    ):
+        with pytest.raises(BalloonError, match=why):
+            BalloonWorkbench.share(parts, tmp_path / "wrong.png", ground=str(wrong))
+    assert not (tmp_path / "wrong.png").exists()
     colours = white[..., :3].astype(int)
     blue = np.argwhere(colours[..., 2] - colours[..., 0] > 60)[:, 1]
     red = np.argwhere(colours[..., 0] - colours[..., 2] > 60)[:, 1]

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -40,7 +41,7 @@ def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Browser]:
 
 
 @pytest.fixture(scope="module")
-def page(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def subject() -> BalloonPage:
     """A disc, red left and blue right on the front, green behind; everything on its page has a nasty name."""
     disc = lifted(triangulate(NAMED["disc"], 0.03))
     low, size = disc.positions[:, :2].min(axis=0), np.ptp(disc.positions[:, :2], axis=0)
@@ -49,10 +50,14 @@ def page(tmp_path_factory: pytest.TempPathFactory) -> Path:
     painted = Painted(*(Picture(pixels, low, size / 40) for pixels in (front, behind)))
     glb = glb_bytes(NASTY, {NASTY: two_panel_meshes([disc], 0.005, Look("matt"), painted)[0]})
     picture = np.full((30, 40, 4), (250, 200, 20, 255), np.uint8)
-    subject = BalloonPage(
+    return BalloonPage(
         NASTY, NASTY, glb, png_bytes(picture, 96.0), [[NamedTable(NASTY, [(NASTY, NASTY)])]],
         SVG, [("#ff0000", NASTY)], [(NASTY, NASTY)], [NASTY],
     )  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def page(tmp_path_factory: pytest.TempPathFactory, subject: BalloonPage) -> Path:
     path = tmp_path_factory.mktemp("page") / "report.html"
     path.write_bytes(balloon_page(subject))
     return path
@@ -103,6 +108,32 @@ def test_the_balloon_turns_and_zooms(browser: Browser, page: Path) -> None:
         assert np.abs(browser.picture(*box) - before).max() > 60, key
     browser.drag(at, (at[0], at[1] + 900.0))  # not over the top
     assert len(places(browser.picture(*box), GREEN)) < 0.6 * len(places(turned, GREEN))
+
+
+@pytest.mark.parametrize("photograph", [False, True])
+def test_the_ground_covers_what_is_behind(
+    browser: Browser, subject: BalloonPage, tmp_path: Path, photograph: bool
+) -> None:
+    """One colour, or a photograph in its own proportions, also while the balloon turns."""
+    pixels = np.full((30, 400, 4) if photograph else (1, 1, 4), (120, 60, 140, 255), np.uint8)
+    if photograph:
+        pixels[:, :100], pixels[:, -100:] = (0, 0, 0, 255), (0, 0, 0, 255)  # these lie outside
+    path = tmp_path / "report.html"
+    path.write_bytes(balloon_page(replace(subject, ground=png_bytes(pixels, 96.0))))
+    browser.open(path)
+    box = canvas(browser)
+    at = middle(box)
+    low = int(min(box[3], browser.run("window.innerHeight") - box[1])) - 3  # what is in sight
+    shown = browser.picture(*box)
+    browser.drag(at, (at[0] + 60.0, at[1] + 20.0))
+    turned = browser.picture(*box)
+    assert np.abs(turned - shown).max() > 60
+    for seen in (shown, turned):
+        corners = seen[[2, 2, low, low], [2, -3, 2, -3]]
+        assert np.abs(corners - (120, 60, 140)).max() < 4
+        assert len(places(seen, RED)) > 1000
+    assert browser.complaints == []
+    assert all(each.startswith("data:") for each in browser.asked[1:]), browser.asked
 
 
 def test_nothing_is_asked_of_a_network_and_no_foreign_word_runs(browser: Browser, page: Path) -> None:

@@ -3,12 +3,17 @@
 
 import FreeCADGui as Gui
 import hands
+import numpy as np
 import pytest
 import sketches
 
 from BalloonWorkbench.app.document import create
+from BalloonWorkbench.core.artwork.files import png_bytes
 from BalloonWorkbench.core.shared import animation, sharing
+from BalloonWorkbench.core.tracing.picture_file import decode
 from BalloonWorkbench.gui.panels.results import animation as animation_panel
+from BalloonWorkbench.gui.panels.results.ground_row import GroundRow
+from BalloonWorkbench.gui.qt import QtGui
 from BalloonWorkbench.gui.view3d import inflation_player
 from BalloonWorkbench.gui.window import macro_recorder
 
@@ -43,14 +48,14 @@ def test_each_kind_is_written(made, macro, tmp_path, monkeypatch):
     for row, (kind, begin) in enumerate(KINDS.items()):
         run("ExportForWeb")
         hands.find("SharedKind").setCurrentIndex(row)
-        assert hands.find("TransparentGround").isVisible() == (kind == "png")
+        hands.wait_until(lambda kind=kind: bool(hands.visible(GroundRow)) == (kind != "glb"))
         (tmp_path / "blocked").write_text("a file")
         hands.type_into(hands.find("SharedFile"), str(tmp_path / "blocked" / "mine"), confirm=False)
         hands.press("Ok")
         hands.wait_until(lambda: "blocked" in hands.find("ShareMessage").text())
         hands.type_into(hands.find("SharedFile"), str(tmp_path / "mine"), confirm=False)
         if kind == "png":
-            hands.tick(hands.find("TransparentGround"))
+            hands.choose(hands.find("Ground"), "Transparent")
             hands.screenshot("export_for_web")
         hands.press("Ok")
         hands.wait_until(hands.panel_is_closed)
@@ -58,12 +63,48 @@ def test_each_kind_is_written(made, macro, tmp_path, monkeypatch):
     assert made.balloon.Document.UndoNames == []
     lines = [line for line in macro if "BalloonWorkbench.share(" in line]
     assert len(lines) == 3
-    assert lines[-1].endswith("transparent=True)")
+    assert lines[-1].replace("'", '"').endswith('ground="transparent")')
     run("ExportForWeb")
     hands.type_into(hands.find("SharedFile"), str(tmp_path / "mine"), confirm=False)
     hands.press("Ok")
     hands.wait_until(lambda: "is there already" in hands.find("ShareMessage").text())
     hands.press("Cancel")
+
+
+def test_a_colour_or_a_photograph_is_behind_the_balloon(made, macro, tmp_path, stand_in, monkeypatch):
+    """What a file cannot have is not offered; a photograph is asked for until it is there."""
+    monkeypatch.setattr(sharing, "_LARGE", (160, 120))
+    photograph = tmp_path / "room.png"
+    photograph.write_bytes(png_bytes(np.full((30, 40, 4), (10, 20, 30, 255), np.uint8), 96.0))
+    wanted = QtGui.QColor("#102030")
+    stand_in.setattr(hands.QtWidgets.QColorDialog, "getColor", lambda *given: wanted)
+    run("ExportForWeb")
+    hands.choose(hands.find("SharedKind"), "Picture (PNG)")
+    hands.choose(hands.find("Ground"), "A colour")
+    hands.click(hands.find("GroundColour"))
+    assert hands.find("GroundColour").text() == "#102030"
+    hands.type_into(hands.find("SharedFile"), str(tmp_path / "colour"), confirm=False)
+    hands.screenshot("export_ground")
+    hands.press("Ok")
+    hands.wait_until(hands.panel_is_closed)
+    assert decode(tmp_path / "colour.png")[0, 0].tolist() == [16, 32, 48, 255]
+    run("ExportForWeb")
+    hands.choose(hands.find("SharedKind"), "Picture (PNG)")
+    hands.choose(hands.find("Ground"), "Transparent")
+    hands.choose(hands.find("SharedKind"), "Web page that turns the balloon (HTML)")
+    assert hands.find("Ground").currentText() == "That of the page"
+    hands.choose(hands.find("Ground"), "A photograph")
+    hands.type_into(hands.find("SharedFile"), str(tmp_path / "page"), confirm=False)
+    hands.press("Ok")
+    hands.wait_until(lambda: "Choose the photograph" in hands.find("ShareMessage").text())
+    hands.type_into(hands.find("GroundPicture"), str(photograph), confirm=False)
+    hands.screenshot("export_photograph")
+    hands.press("Ok")
+    hands.wait_until(hands.panel_is_closed)
+    assert 'id="balloon-ground"' in (tmp_path / "page.html").read_text(encoding="utf-8")
+    lines = [line.replace("'", '"') for line in macro if "BalloonWorkbench.share(" in line]
+    assert lines[0].endswith('ground="#102030")')
+    assert photograph.name in lines[1]
 
 
 def test_the_inflation_is_saved(made, tmp_path, stand_in, monkeypatch):

@@ -7,6 +7,7 @@ import FreeCADGui as Gui
 
 from BalloonWorkbench.app.sharing.share import GLB, PAGE, PICTURE, write_shared
 from BalloonWorkbench.core.errors import BalloonError
+from BalloonWorkbench.gui.panels.results.ground_row import GroundRow
 from BalloonWorkbench.gui.panels.widgets.narrow import Message, NarrowCombo, NarrowForm
 from BalloonWorkbench.gui.panels.widgets.target_file import TargetFile, name_of
 from BalloonWorkbench.gui.panels.widgets.watch import Watch
@@ -34,16 +35,16 @@ class SharePanel(TaskPanel):
             (translate("Picture (PNG)"), PICTURE),
         ):
             self.kind.addItem(text, kind)
-        self.transparent = QtWidgets.QCheckBox(translate("Transparent ground"))
-        self.transparent.setObjectName("TransparentGround")
-        self.transparent.setToolTip(translate("Nothing behind the balloon; else the picture is on white"))
+        self.ground = GroundRow()
+        self.ground_name = QtWidgets.QLabel(translate("Ground"))
         self.file = TargetFile(parts.balloon.Document, "SharedFile", translate("Export for the web"))
         self.message = Message("ShareMessage")
         form = NarrowForm(self.form)
         for text, widget in ((translate("What"), self.kind), (translate("File"), self.file)):
             form.addRow(QtWidgets.QLabel(text))
             form.addRow(widget)
-        form.addRow(self.transparent)
+        form.addRow(self.ground_name)
+        form.addRow(self.ground)
         form.addRow(self.message)
         self.kind.currentIndexChanged.connect(self.show_kind)
         self.show_kind()
@@ -52,20 +53,24 @@ class SharePanel(TaskPanel):
     def show_kind(self, _index: int = 0) -> None:
         """Name the file of what is chosen."""
         kind = self.kind.currentData()
-        self.transparent.setVisible(kind == PICTURE)
+        for widget in (self.ground_name, self.ground):
+            widget.setVisible(kind != GLB)
+        usual = translate("White") if kind == PICTURE else translate("That of the page")
+        self.ground.offer(usual, transparent=kind == PICTURE)
         self.message.setText("")
         self.file.suggest(f"{name_of(self.parts.balloon)}.{kind}")
 
     def accept(self):
         """Write the file; the panel stays with the reason when that fails."""
-        objection = self.file.objection([self.file.path])
+        kind = self.kind.currentData()
+        objection = self.file.objection([self.file.path]) or (kind != GLB and self.ground.objection())
         if objection:
             self.message.setText(objection)
             return False
-        transparent = self.kind.currentData() == PICTURE and self.transparent.isChecked()
+        ground = None if kind == GLB else self.ground.text()
         self.form.setEnabled(False)
         try:
-            written = write_shared(self.parts, self.file.path, transparent=transparent)
+            written = write_shared(self.parts, self.file.path, ground=ground)
         except BalloonError as error:
             if self.is_open:
                 self.message.setText(translated(str(error)))
@@ -74,7 +79,7 @@ class SharePanel(TaskPanel):
             if self.is_open:
                 self.form.setEnabled(True)
         balloon = f"BalloonWorkbench.parts({macro_recorder.obj(self.parts.balloon)})"
-        options = {"transparent": "True"} if transparent else {}
+        options = {} if ground is None else {"ground": macro_recorder.text(ground)}
         macro_recorder.call("share", balloon, macro_recorder.text(written), **options)
         self.file.wrote()
         self.close()
