@@ -224,6 +224,17 @@ def test_a_seam_is_lit_on_the_balloon_and_picked_there(doc):
     assert root.getNumChildren() == bare + 1
     seams = tab.lights._seams(tab.view.laid.base)
     assert len(seams.lines) == 12
+    before = seams.lines[1].copy()
+    box.balloon.Pressure = 3.0 * box.balloon.Pressure.Value
+    doc.recompute()
+    hands.wait_until(lambda: not np.allclose(tab.lights._seams(tab.view.laid.base).lines[1], before), 20)
+    hands.wait(0.2)
+    seams = tab.lights._seams(tab.view.laid.base)
+    seam = tab.view.pieces.edges[tab.view.edge].seam
+    (places_of_node,) = [each for each in tab.lights._shown[1] if hasattr(each, "point")]
+    shown = np.array([tuple(point) for point in places_of_node.point.getValues()])
+    assert shown == pytest.approx(seams.lines[seam], abs=1e-3)
+    assert root.getNumChildren() == bare + 1
     key(tab, Qt.Key_Escape)
     assert root.getNumChildren() == bare
     assert lit(tab) == 0
