@@ -175,8 +175,10 @@ class PatternTab(QtWidgets.QWidget):
         if others:
             self.looks.forget()
             QtCore.QTimer.singleShot(_PATIENCE, self._prepare)
-        if others and self.lights is not None:
+        if self.lights is not None:
             self.lights.clear()
+            if self.view.edge is not None:  # the balloon may have another shape now
+                self.lights.show(laid.base, self.view.edge)
         self.looks.follow(self.obj, laid.base)
 
     def _prepare(self) -> None:

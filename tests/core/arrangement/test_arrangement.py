@@ -163,3 +163,22 @@ def test_vertices_along_an_edge():
     assert along_edge(left, [loop, hole], rest).tolist() == [15, 16, 17, 18, 19, 0]
     whole = rest[[20, 21, 22, 23, 20]]
     assert along_edge(whole, [loop, hole], rest).tolist() == [20, 21, 22, 23, 20]
+
+
+def test_a_slanted_edge_turns_along_another_one():
+    slanted = FlatPiece(
+        "d",
+        Pattern(
+            (Contour(Role.CUT, np.array([[0.3, 0.0], [0.4, 0.0], [0.4, 0.1364], [0.3, 0.1]]), True),),
+            None,
+            0.005,
+            0.0,
+        ),
+    )
+    first = pieces(names=("a",))
+    base = PatternPieces((*first.pieces, slanted), (*first.edges, *edges_of(1, slanted)))
+    laid = laid_pieces(base, Arrangement())
+    near = Neighbours(laid, 1)
+    for degrees, mirrored, turned in ((-19.0, False, -20.0), (19.0, True, 20.0)):
+        place = replace(laid.places[1], angle=np.radians(degrees), mirrored=mirrored)
+        assert np.degrees(near.turn(place, None).angle) == pytest.approx(turned, abs=0.01)

@@ -17,8 +17,10 @@ from BalloonWorkbench.core.arrangement.arrangement import names_of
 from BalloonWorkbench.core.geometry.nearest import nearest_on_loops
 from BalloonWorkbench.core.pattern.pattern import Role
 from BalloonWorkbench.gui.pattern_view import tab as tabs
+from BalloonWorkbench.gui.window import macro_recorder
 
 Kind, Qt, QPointF = hands.QtCore.QEvent, hands.QtCore.Qt, hands.QtCore.QPointF
+ANEW = "Lay out anew"
 
 
 def film_of(tab, number):
@@ -164,6 +166,24 @@ def test_it_is_saved_and_copied(tab, made):
     assert [str(each) for each in copied.PiecePlaces] == [str(each) for each in doc.Pattern.PiecePlaces]
 
 
+def test_the_macro_lays_them_the_same(tab, made, stand_in):
+    lines, run = [], Gui.doCommand
+    stand_in.setattr(macro_recorder.Gui, "doCommand", lambda line: (lines.append(line), run(line)))
+    tab.view.choose(0)
+    key(tab, Qt.Key_R, "r")
+    key(tab, Qt.Key_H, "h")
+    drag(tab, at(tab, film_of(tab, 1)), at(tab, film_of(tab, 1)) + QPointF(35, 20))
+    after = places(tab)
+    hands.click(next(each for each in hands.visible(hands.QtWidgets.QToolButton) if each.text() == ANEW))
+    hands.wait_until(lambda: not made.pattern.ArrangedPieces, 5)
+    assert lines[-1] == 'BalloonWorkbench.arrange(App.ActiveDocument.getObject("Pattern"))'
+    exec("\n".join(lines[:-2]), {"App": App})
+    hands.wait_until(lambda: tab.view.laid.places[0].mirrored, 5)
+    for one, other in zip(places(tab), after, strict=True):
+        assert one.middle == pytest.approx(other.middle, abs=1e-8)
+        assert (one.angle, one.mirrored) == (pytest.approx(other.angle), other.mirrored)
+
+
 def test_a_panel_that_is_open_keeps_pieces_where_they_are(tab, opened):
     before = places(tab)
     tab.view.choose(0)
@@ -204,6 +224,17 @@ def test_a_seam_is_lit_on_the_balloon_and_picked_there(doc):
     assert root.getNumChildren() == bare + 1
     seams = tab.lights._seams(tab.view.laid.base)
     assert len(seams.lines) == 12
+    before = seams.lines[1].copy()
+    box.balloon.Pressure = 3.0 * box.balloon.Pressure.Value
+    doc.recompute()
+    hands.wait_until(lambda: not np.allclose(tab.lights._seams(tab.view.laid.base).lines[1], before), 20)
+    hands.wait(0.2)
+    seams = tab.lights._seams(tab.view.laid.base)
+    seam = tab.view.pieces.edges[tab.view.edge].seam
+    (places_of_node,) = [each for each in tab.lights._shown[1] if hasattr(each, "point")]
+    shown = np.array([tuple(point) for point in places_of_node.point.getValues()])
+    assert shown == pytest.approx(seams.lines[seam], abs=1e-3)
+    assert root.getNumChildren() == bare + 1
     key(tab, Qt.Key_Escape)
     assert root.getNumChildren() == bare
     assert lit(tab) == 0
@@ -237,7 +268,8 @@ def test_a_click_in_the_3d_view_lights_the_seam(doc):
     Gui.activeDocument().activeView().viewIsometric()
     Gui.SendMsgToActiveView("ViewFit")
     hands.wait(0.3)
-    port = view_port.view_area().viewport()
+    shown = view_port.view_area()  # kept: its view port goes with what Python knows of it
+    port = shown.viewport()
     toward = np.array(Gui.activeDocument().activeView().getViewDirection())
     nearest = min(seams.lines, key=lambda number: float(seams.lines[number].mean(axis=0) @ toward))
     line = seams.lines[nearest]
