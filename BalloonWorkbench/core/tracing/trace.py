@@ -70,7 +70,7 @@ def trace(boundary: Floats, radius: float, ripple: float = 1.0, tolerance: float
     ripple  width of the pixel noise that is smoothed away beforehand, away from corners [px]
     """
     if ripple > 0:
-        boundary = smooth(boundary, ripple, corners(boundary, _CORNER, _REACH))
+        boundary = smooth(boundary, ripple, corners(boundary, _CORNER, _REACH * max(1.0, ripple)))
     if radius <= 0:
         return simplify(boundary, tolerance)
     lengths = arc_lengths(boundary)
