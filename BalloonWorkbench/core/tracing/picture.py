@@ -15,7 +15,7 @@ from BalloonWorkbench.core.files.foreign_reader import foreign_reader
 from BalloonWorkbench.core.geometry.crossings import contains, first_crossing
 from BalloonWorkbench.core.geometry.polyline import bounds, extent, perimeter
 from BalloonWorkbench.core.memoize import memoized
-from BalloonWorkbench.core.options.drawing import USUAL_TRACING, TracingOptions
+from BalloonWorkbench.core.options.drawing import USUAL_TRACING, TracingOptions, check_tracing
 from BalloonWorkbench.core.outline.budget import Budget
 from BalloonWorkbench.core.outline.drawing import SPECK, Drawing, checked, speck_note
 from BalloonWorkbench.core.outline.outline import Outline
@@ -99,6 +99,7 @@ def placed_drawing(
         raise PictureError(
             f"The picture is too small to see a shape. Use {_SMALLEST_SIDE} pixels or more across."
         )
+    check_tracing(tracing)
     budget = budget or Budget()
     silhouette, notes = segment(rgba, drawn_as, tracing)
     budget.check_time()

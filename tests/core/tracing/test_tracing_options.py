@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from drawn_pictures import any_of, box, coloured, disc, drawn, ring
 
+from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.geometry.normals import turns
 from BalloonWorkbench.core.options.drawing import TracingOptions
 from BalloonWorkbench.core.outline.drawing import Drawing
@@ -58,6 +59,20 @@ def test_holes_count_from_a_size_on() -> None:
     tiny = coloured(drawn(ring(200, 200, 150, 5), 400, 400, fine=3))
     assert len(traced(tiny).largest.holes) == 0
     assert len(traced(tiny, smallest_hole=0.0).largest.holes) == 1
+
+
+def test_what_no_picture_is_traced_with_is_refused() -> None:
+    pixels = coloured(drawn(disc(50, 50, 30), 100, 100, fine=2))
+    for name in ("threshold", "line_width", "smallest_hole", "smoothness"):
+        for value in (-0.1, 1e9, float("nan")):
+            with pytest.raises(InputError, match=name.replace("_", " ")):
+                traced(pixels, **{name: value})
+
+
+def test_a_small_hole_keeps_its_size_however_smooth() -> None:
+    plate = coloured(drawn(ring(200, 200, 150, 15), 400, 400, fine=3))
+    (hole,) = traced(plate, smoothness=20.0).largest.holes
+    assert np.ptp(hole[:, 0]) == pytest.approx(30.0, abs=1.0)
 
 
 def test_smoothing_takes_ripples_away_and_keeps_corners() -> None:
