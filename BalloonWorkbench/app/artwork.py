@@ -10,7 +10,7 @@ from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document import arrange
 from BalloonWorkbench.app.document.kinds import is_artwork, leader
 from BalloonWorkbench.app.document.proxy import DocumentProxy
-from BalloonWorkbench.app.drawings.drawing_file import File, drawn_pixels_of, file_of, pixels_of, read_drawing
+from BalloonWorkbench.app.drawings.drawing_file import File, drawn_pixels_of, file_of, pixels_of
 from BalloonWorkbench.app.engine import panel_prints
 from BalloonWorkbench.app.engine.bag_result import has_many_panels
 from BalloonWorkbench.app.properties.property_table import Property, properties_of, result, results
@@ -238,7 +238,7 @@ def _pictures(obj):
 
     InputError where there is nothing to print.
     """
-    from BalloonWorkbench.app.outline import DRAWN_AS
+    from BalloonWorkbench.app.outline import reading_of
     from BalloonWorkbench.core.artwork.picture import covering, mirrored
 
     low, size, drawing = _frame(obj.Pattern.Balloon)
@@ -247,7 +247,7 @@ def _pictures(obj):
         raise InputError("There is no picture to print: choose one, as the outline has none of its own.")
     own = bool(drawing) and (path == drawing or Path(path).read_bytes() == Path(drawing).read_bytes())
     front = (
-        _traced(file_of(path), DRAWN_AS[leader(obj.Pattern.Balloon.Outline).DrawnAs], low, size)
+        _traced(file_of(path), reading_of(leader(obj.Pattern.Balloon.Outline))[1:], low, size)
         if own
         else covering(pixels_of(file_of(path)), low, size)
     )
@@ -262,19 +262,12 @@ def _frame(balloon):
     import numpy as np
 
     from BalloonWorkbench.app.engine import film_result
-    from BalloonWorkbench.app.outline import DRAWN_AS, SYMMETRY
+    from BalloonWorkbench.app.outline import read_plain
 
     drawn, first = film_result.drawing(balloon), leader(balloon.Outline)
     if first.Source or first.Kind != "picture":
         return drawn.outer.min(axis=0), np.ptp(drawn.outer, axis=0), ""
-    read, _ = read_drawing(
-        first.Drawing,
-        first.Width,
-        first.Height,
-        first.KeepAspect,
-        SYMMETRY[first.Symmetry],
-        DRAWN_AS[first.DrawnAs],
-    )
+    read, _ = read_plain(first)
     goal = 1.0
     if balloon.SizeGoal != "Width" and balloon.Outline.SizeX.Value:
         goal = drawn.size[0] * 1e3 / balloon.Outline.SizeX.Value
@@ -283,7 +276,7 @@ def _frame(balloon):
 
 
 @memoized(most=4)
-def _traced(file: File, drawn_as: str, low, size):
+def _traced(file: File, reading: tuple, low, size):
     from BalloonWorkbench.core.artwork.picture import of_drawing
 
-    return of_drawing(pixels_of(file), low, size, drawn_as, drawn_pixels_of(file))
+    return of_drawing(pixels_of(file), low, size, *reading, drawn_pixels_of(file))

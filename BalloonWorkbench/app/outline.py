@@ -12,12 +12,13 @@ from BalloonWorkbench.app.document.proxy import DocumentProxy
 from BalloonWorkbench.app.engine import repairs
 from BalloonWorkbench.app.properties.property_table import (
     Property,
+    options_from,
     properties_of,
     result,
     results,
     show_in_editor,
 )
-from BalloonWorkbench.core.options.drawing import ReadingOptions, SizeOptions
+from BalloonWorkbench.core.options.drawing import ReadingOptions, SizeOptions, TracingOptions
 from BalloonWorkbench.core.options.option import option_of
 
 SYMMETRY, DRAWN_AS = (
@@ -86,6 +87,7 @@ class OutlineProxy(DocumentProxy):
         """A sketch brings its own size: hide the wanted one. The leader has all of them."""
         mode = "hide" if obj.Source or obj.Leader else "edit"
         own = ("Drawing", "Width", "Height", "KeepAspect", "DrawnAs", "OutlineEdits")
+        own += tuple(item.name for item in properties_of(TracingOptions))
         show_in_editor(obj, **dict.fromkeys(own, mode))
         shared = "hide" if obj.Leader else "edit"
         show_in_editor(obj, Source=shared, Symmetry=shared, Passage=shared)
@@ -184,8 +186,7 @@ def trace(obj) -> None:
     """Read the file of an outline beside the window: `read_plain` has it at once then."""
     from BalloonWorkbench.app.drawings import drawing_file
 
-    choices = SYMMETRY[obj.Symmetry], DRAWN_AS[obj.DrawnAs]
-    drawing_file.trace(f"Tracing {obj.Label}", obj.Drawing, obj.Width, obj.Height, *choices)
+    drawing_file.trace(f"Tracing {obj.Label}", obj.Drawing, obj.Width, obj.Height, *reading_of(obj))
 
 
 def edited(obj, drawing):
@@ -200,8 +201,12 @@ def read_plain(obj):
     """All shapes of the file of an outline before they were edited by hand, and what it is."""
     from BalloonWorkbench.app.drawings.drawing_file import read_drawing
 
-    choices = SYMMETRY[obj.Symmetry], DRAWN_AS[obj.DrawnAs]
-    return read_drawing(obj.Drawing, obj.Width, obj.Height, obj.KeepAspect, *choices)
+    return read_drawing(obj.Drawing, obj.Width, obj.Height, obj.KeepAspect, *reading_of(obj))
+
+
+def reading_of(obj) -> tuple:
+    """How a picture is read, as `read_drawing` takes it: symmetry, drawn_as and tracing."""
+    return SYMMETRY[obj.Symmetry], DRAWN_AS[obj.DrawnAs], options_from(obj, TracingOptions)
 
 
 def show(obj, outline, kind: str) -> None:

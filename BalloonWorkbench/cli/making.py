@@ -29,9 +29,11 @@ from BalloonWorkbench.core.units import (
 )
 
 if TYPE_CHECKING:  # only what is asked for is loaded
+    from BalloonWorkbench.cli.options import typed
     from BalloonWorkbench.core.bag_job import FinishedBags
     from BalloonWorkbench.core.nesting.layout import Layout, Piece, Stock
     from BalloonWorkbench.core.nesting.remnant import Remnant
+    from BalloonWorkbench.core.options.drawing import TracingOptions
     from BalloonWorkbench.core.products import Artwork
 
 
@@ -178,7 +180,8 @@ def _artwork(options: argparse.Namespace, reader: Callable[[Path], Any]) -> Artw
     traced = Path(options.input).exists() and paths[0].read_bytes() == Path(options.input).read_bytes()
     marks = marks_for(options.marks_for, [machine(name) for name in options.machine])
     behind = back[0] if back else None
-    return Artwork(front, traced, behind, options.dpi, options.bleed, options.drawn_as, marks)
+    tracing = typed(options, TracingOptions)
+    return Artwork(front, traced, behind, options.dpi, options.bleed, options.drawn_as, marks, tracing)
 
 
 def _film(options: argparse.Namespace) -> tuple[Stock, list[Remnant]] | None:

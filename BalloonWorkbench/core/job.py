@@ -37,7 +37,7 @@ from BalloonWorkbench.core.machines.machine_file import file_of_stock, machine_f
 from BalloonWorkbench.core.making.numbers import Numbers, maker_numbers, numbers_report
 from BalloonWorkbench.core.making.weight import film_and_valve
 from BalloonWorkbench.core.options.body import BandOptions, BodyOptions, TargetOptions
-from BalloonWorkbench.core.options.drawing import ReadingOptions
+from BalloonWorkbench.core.options.drawing import ReadingOptions, tracing_of
 from BalloonWorkbench.core.options.film import DEFAULT_FILM
 from BalloonWorkbench.core.options.making import WeldingOptions
 from BalloonWorkbench.core.options.option import unusual
@@ -194,7 +194,7 @@ def read_shapes(
     decode: Decode | None = None,
 ) -> tuple[Drawing, str]:
     """The shapes in a drawing file as the settings say how to read it, and what the file is."""
-    drawing, kind = read_drawing(path, width, height, decode, settings.drawn_as)
+    drawing, kind = read_drawing(path, width, height, decode, settings.drawn_as, tracing_of(settings))
     return scale_to(evened(drawing, settings.symmetry, drawn=kind == "picture"), width, height), kind
 
 

@@ -38,6 +38,7 @@ from BalloonWorkbench.core.making.numbers import Numbers
 from BalloonWorkbench.core.nesting.layout import Layout, Piece, Stock
 from BalloonWorkbench.core.nesting.nest import nest
 from BalloonWorkbench.core.nesting.remnant import Remnant
+from BalloonWorkbench.core.options.drawing import USUAL_TRACING, TracingOptions
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.layout import beside, in_rows
 from BalloonWorkbench.core.pattern.make import sheet_of
@@ -53,7 +54,7 @@ class Artwork:
 
     front  pixels (h, w, 4); traced: it is the picture that was drawn, and lies where its shapes are
     back   another picture for the back, as it is seen from there; None for the front's, seen through
-    dpi    resolution; bleed past the cut [m]; drawn_as: how a traced picture was read
+    dpi    resolution; bleed past the cut [m]; drawn_as, tracing: how a traced picture was read
     marks  by which a machine finds the print again
     """
 
@@ -64,6 +65,7 @@ class Artwork:
     bleed: float = BLEED
     drawn_as: str = AUTO
     marks: Marks = CROSSES
+    tracing: TracingOptions = USUAL_TRACING
 
 
 def printed(
@@ -96,7 +98,7 @@ def pictures_of(drawing: tuple[Floats, Floats], artwork: Artwork) -> tuple[Pictu
     """
     low, size = drawing
     front = (
-        of_drawing(artwork.front, low, size, artwork.drawn_as)
+        of_drawing(artwork.front, low, size, artwork.drawn_as, artwork.tracing)
         if artwork.traced
         else covering(artwork.front, low, size)
     )
@@ -179,7 +181,7 @@ def _pictures(bags: FinishedBags, artwork: Artwork, low: Floats, size: Floats) -
         size = high - low
     traced = artwork.traced and bool(outlines)
     front = (
-        of_drawing(artwork.front, low, size, artwork.drawn_as)
+        of_drawing(artwork.front, low, size, artwork.drawn_as, artwork.tracing)
         if traced
         else covering(artwork.front, low, size)
     )

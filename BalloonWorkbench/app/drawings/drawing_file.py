@@ -9,6 +9,7 @@ from pathlib import Path
 
 from BalloonWorkbench.app.properties.quantities import metres
 from BalloonWorkbench.core.memoize import memoized
+from BalloonWorkbench.core.options.drawing import USUAL_TRACING, TracingOptions
 from BalloonWorkbench.core.tracing.segment import AS_PEN, AUTO
 
 #: Name of the text in a PNG file that holds the strokes of a painting.
@@ -17,7 +18,13 @@ _HEAD = 4096  # bytes in which its name appears, before the pixels
 
 
 def read_drawing(
-    path: str, width, height, keep_aspect: bool = True, symmetry: str = "auto", drawn_as: str = AUTO
+    path: str,
+    width,
+    height,
+    keep_aspect: bool = True,
+    symmetry: str = "auto",
+    drawn_as: str = AUTO,
+    tracing: TracingOptions = USUAL_TRACING,
 ):
     """The shapes in a file and its kind; width and height are length properties or mm, 0 when free.
 
@@ -25,19 +32,27 @@ def read_drawing(
     is no usable shape in the file.
     """
     size = metres(width) or None, metres(height) or None
-    drawing, kind = shapes_in(file_of(path), size, symmetry, drawn_as)
-    if None in size or keep_aspect:
-        return drawing, kind
+    drawing, kind = shapes_in(file_of(path), size, symmetry, drawn_as, tracing)
+    return (drawing if keep_aspect else stretched(drawing, size)), kind
+
+
+def stretched(drawing, size: tuple):
+    """A drawing that fills width and height [m] where both are known."""
+    if None in size:
+        return drawing
     factors = [want / have for want, have in zip(size, drawing.size, strict=True)]
-    return drawing.map(lambda loop: loop * factors), kind
+    return drawing.map(lambda loop: loop * factors)
 
 
-def trace(title: str, path: str, width, height, symmetry: str, drawn_as: str) -> None:
-    """Read a file beside the window: `read_drawing`, with or without the aspect, has it at once then."""
+def trace(title: str, path: str, width, height, *reading) -> None:
+    """Read a file beside the window: `read_drawing`, with or without the aspect, has it at once then.
+
+    reading  symmetry, drawn_as and tracing
+    """
     from BalloonWorkbench.app.border import hooks
 
     size = metres(width) or None, metres(height) or None
-    hooks.ask(title, shapes_in, file_of(path), size, symmetry, drawn_as)
+    hooks.ask(title, shapes_in, file_of(path), size, *reading)
 
 
 def is_painting(path) -> bool:
@@ -69,7 +84,7 @@ def file_of(path) -> File:
 
 
 @memoized(most=8)  # tracing takes a good part of a second
-def shapes_in(file: File, size: tuple, symmetry: str, drawn_as: str):
+def shapes_in(file: File, size: tuple, symmetry: str, drawn_as: str, tracing: TracingOptions = USUAL_TRACING):
     """The shapes in a file at their size [m], None where it is free, and its kind."""
     from BalloonWorkbench.core.outline.symmetry import evened
     from BalloonWorkbench.core.outline.validity import scale_to
@@ -77,7 +92,7 @@ def shapes_in(file: File, size: tuple, symmetry: str, drawn_as: str):
 
     painted = is_painting(file.path)
     decode = (lambda _path: drawn_pixels_of(file)) if painted else decoder()
-    drawing, kind = read.read_drawing(file.path, *size, decode=decode, drawn_as=drawn_as)
+    drawing, kind = read.read_drawing(file.path, *size, decode=decode, drawn_as=drawn_as, tracing=tracing)
     drawing = scale_to(evened(drawing, symmetry, drawn=kind == "picture"), *size)
     if painted:
         first, *others = drawing.parts

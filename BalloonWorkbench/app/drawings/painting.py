@@ -23,11 +23,12 @@ from BalloonWorkbench.app.drawings.drawing_file import (
     read_drawing,
 )
 from BalloonWorkbench.app.engine.solve import Request, describe
-from BalloonWorkbench.app.outline import DRAWN_AS, set_drawing
+from BalloonWorkbench.app.outline import DRAWN_AS, reading_of, set_drawing
 from BalloonWorkbench.core.checkpoint import checkpoint, stoppable
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.job import Settings
+from BalloonWorkbench.core.options.drawing import USUAL_TRACING, TracingOptions
 from BalloonWorkbench.core.outline.chambers import linked
 from BalloonWorkbench.core.rounded import rounded
 from BalloonWorkbench.core.tracing.segment import AUTO
@@ -77,17 +78,23 @@ def artwork(outline) -> PaintedArtwork | None:
     first = leader(outline)
     if first.Source or not is_painting(first.Drawing):
         return None
-    return place(first.Drawing, first.Width.Value, first.Height.Value, DRAWN_AS[first.DrawnAs])
+    return place(first.Drawing, first.Width.Value, first.Height.Value, *reading_of(first)[1:])
 
 
-def place(path, width: float, height: float = 0.0, drawn_as: str = AUTO) -> PaintedArtwork | None:
+def place(
+    path,
+    width: float,
+    height: float = 0.0,
+    drawn_as: str = AUTO,
+    tracing: TracingOptions = USUAL_TRACING,
+) -> PaintedArtwork | None:
     """The picture in a painting's file, which becomes so wide or high in mm; None where it has no shape."""
     from BalloonWorkbench.core.errors import BalloonError
     from BalloonWorkbench.core.tracing.picture import placed_drawing
 
     rgba = pixels_of(file_of(path))
     try:
-        drawing, corner = placed_drawing(drawn_pixels_of(file_of(path)), drawn_as=drawn_as)
+        drawing, corner = placed_drawing(drawn_pixels_of(file_of(path)), drawn_as=drawn_as, tracing=tracing)
     except BalloonError:
         return None
     pixel = width / drawing.size[0] if width else height / drawing.size[1]

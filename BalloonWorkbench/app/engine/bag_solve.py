@@ -27,6 +27,8 @@ from BalloonWorkbench.core.job import Settings
 from BalloonWorkbench.core.making.weight import weighing
 from BalloonWorkbench.core.memoize import memoized
 from BalloonWorkbench.core.options.body import ACCURACY
+from BalloonWorkbench.core.options.drawing import ReadingOptions
+from BalloonWorkbench.core.options.option import options_of
 from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.results.film_state import film_state
 from BalloonWorkbench.core.rounded import rounded
@@ -90,12 +92,9 @@ def _without_notes(source: Source) -> Source:
 
 def _of_balloon(settings: Settings) -> Settings:
     """Settings without how the drawing was read, and what of the pattern weighs nothing."""
-    usual = Settings()
     return replace(
         settings,
-        symmetry=usual.symmetry,
-        drawn_as=usual.drawn_as,
-        passage=usual.passage,
+        **{option.name: option.default for option in options_of(ReadingOptions)},
         pattern=PatternOptions() if settings.goal is None else weighing(settings.pattern),
     )
 

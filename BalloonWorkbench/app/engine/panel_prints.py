@@ -11,7 +11,7 @@ def chosen(obj) -> tuple:
     from pathlib import Path
 
     from BalloonWorkbench.app.drawings.drawing_file import file_of, pixels_of
-    from BalloonWorkbench.app.outline import DRAWN_AS
+    from BalloonWorkbench.app.outline import reading_of
     from BalloonWorkbench.app.properties.quantities import metres
     from BalloonWorkbench.core.errors import InputError
     from BalloonWorkbench.core.machines.marks.choose import marks_for
@@ -31,7 +31,7 @@ def chosen(obj) -> tuple:
         obj.Resolution,
         metres(obj.Bleed),
         marks=marks_for(obj.MarksFor.strip()),
-        **({"drawn_as": DRAWN_AS[source.DrawnAs]} if own else {}),
+        **(dict(zip(("drawn_as", "tracing"), reading_of(source)[1:])) if own else {}),
     )
 
 

@@ -17,6 +17,8 @@ from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.job import Settings, design_outline
 from BalloonWorkbench.core.making.weight import weighing
 from BalloonWorkbench.core.memoize import memoized
+from BalloonWorkbench.core.options.drawing import ReadingOptions
+from BalloonWorkbench.core.options.option import options_of
 from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.reports import report
@@ -107,8 +109,7 @@ class Request:
 
 def _of_balloon(settings: Settings) -> Settings:
     """Settings without how the drawing was read: that is in the outline."""
-    default = Settings()
-    return replace(settings, symmetry=default.symmetry, drawn_as=default.drawn_as, passage=default.passage)
+    return replace(settings, **{option.name: option.default for option in options_of(ReadingOptions)})
 
 
 @memoized(most=8)

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from BalloonWorkbench.core.options.drawing import USUAL_TRACING, TracingOptions
 from BalloonWorkbench.core.tracing.picture import placed_drawing, shrunk
 from BalloonWorkbench.core.tracing.raster import ndimage, opencv
 from BalloonWorkbench.core.tracing.segment import AUTO, segment
@@ -40,7 +41,12 @@ class Picture:
 
 
 def of_drawing(
-    pixels: Pixels, low: Floats, size: Floats, drawn_as: str = AUTO, shape: Pixels | None = None
+    pixels: Pixels,
+    low: Floats,
+    size: Floats,
+    drawn_as: str = AUTO,
+    tracing: TracingOptions = USUAL_TRACING,
+    shape: Pixels | None = None,
 ) -> Picture:
     """The picture that was traced, in its place: its shapes fill the box `size` (2,) m from `low` (2,) m.
 
@@ -51,12 +57,12 @@ def of_drawing(
     """
     small = shrunk(pixels if shape is None else shape)
     step = max(pixels.shape[:2]) // max(small.shape[:2])
-    drawing, corner = placed_drawing(small, drawn_as=drawn_as)
+    drawing, corner = placed_drawing(small, drawn_as=drawn_as, tracing=tracing)
     pixel = size / (np.array(drawing.size) * step)
     # `shrunk` leaves out rows at the lower edge that do not make a whole block
     rest = len(pixels) - step * len(small)
     origin = low - (corner * step + (0.0, rest)) * pixel
-    drawn = np.repeat(np.repeat(segment(small, drawn_as)[0] > 0.5, step, axis=0), step, axis=1)
+    drawn = np.repeat(np.repeat(segment(small, drawn_as, tracing)[0] > 0.5, step, axis=0), step, axis=1)
     inside = np.zeros(pixels.shape[:2], dtype=np.bool_)
     inside[: drawn.shape[0], : drawn.shape[1]] = drawn
     return Picture(carried_on(pixels, _thinner(inside)), origin, pixel)

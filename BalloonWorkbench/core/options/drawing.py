@@ -3,10 +3,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import partial
 
-from BalloonWorkbench.core.options.option import Kind, Section, titles_in
+from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.options.option import Kind, Section, options_of, titles_in
+from BalloonWorkbench.core.units import number_text
 
 DRAWING, SIZE, FILLING = Section("Drawing"), Section("Size"), Section("Filling")
 
@@ -23,7 +25,26 @@ class SizeOptions:
 
 
 @dataclass(frozen=True)
-class ReadingOptions:
+class TracingOptions:
+    """What of a picture is drawn on, a hole or a line, and how smooth its outline is."""
+
+    threshold: float = DRAWING(Kind.NUMBER, 0.0,
+        "How far from the background what is drawn must be, of the greatest difference; 0 finds it",
+        step=0.02, most=0.95)
+    line_width: float = DRAWING(Kind.NUMBER, 0.05,
+        "What is thinner, of the size of the drawing, is a line whose inside is filled; 0 keeps all holes",
+        step=0.01, most=0.4)
+    smallest_hole: float = DRAWING(Kind.NUMBER, 0.005,
+        "Smaller holes, of the area of their shape, are filled", step=0.005, most=0.5)
+    smoothness: float = DRAWING(Kind.NUMBER, 1.0,
+        "How long the ripples are that are smoothed away, in pixels; 0 keeps all", step=1.0, most=20.0)
+
+
+USUAL_TRACING = TracingOptions()
+
+
+@dataclass(frozen=True)
+class ReadingOptions(TracingOptions):
     """How a drawing is read; passage [m] is left open in welds that would cut off a part."""
 
     drawn_as: str = DRAWING(Kind.CHOICE, "auto",
@@ -34,6 +55,20 @@ class ReadingOptions:
         label="Symmetry", choices={"auto": "Automatic", "off": "Off", "force": "Forced"})
     passage: float = DRAWING(Kind.LENGTH, 0.01,
         "Left open in welds that would cut off a part, so wide; 0 gives each part an intake of its own")
+
+
+def check_tracing(tracing: TracingOptions) -> None:
+    """InputError for what a picture cannot be traced with."""
+    for option in options_of(TracingOptions):
+        value = getattr(tracing, option.name)
+        if not option.least <= value <= option.most:
+            most = number_text(option.most)
+            raise InputError(f"The {option.name.replace('_', ' ')} must be between 0 and {most}.")
+
+
+def tracing_of(options: TracingOptions) -> TracingOptions:
+    """Those of options that say how a picture is traced, alone."""
+    return TracingOptions(*(getattr(options, item.name) for item in fields(TracingOptions)))
 
 
 @dataclass(frozen=True)

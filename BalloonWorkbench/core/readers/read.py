@@ -7,6 +7,7 @@ from pathlib import Path
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.files.user_file import read_user_file
+from BalloonWorkbench.core.options.drawing import USUAL_TRACING, TracingOptions
 from BalloonWorkbench.core.outline.budget import Budget
 from BalloonWorkbench.core.outline.drawing import Drawing
 from BalloonWorkbench.core.outline.outline import Outline
@@ -32,6 +33,7 @@ def read_drawing(
     height: float | None = None,
     decode: Decode | None = None,
     drawn_as: str = AUTO,
+    tracing: TracingOptions = USUAL_TRACING,
 ) -> tuple[Drawing, str]:
     """The shapes in a file, in metres, and what the file is: 'picture', 'svg', 'dxf' or 'json'.
 
@@ -40,7 +42,7 @@ def read_drawing(
     fits inside.
 
     decode    reads pictures instead of OpenCV, see `picture_drawing`
-    drawn_as  how a picture is read, see `segment`
+    drawn_as, tracing  how a picture is read, see `segment`
     Errors: InputError and its kinds (no such file, not a drawing, no shape, size, too much of something, see
     `Budget`), MissingPackageError
     """
@@ -53,7 +55,7 @@ def read_drawing(
     if kind:
         return read_vector(path, width, height, budget), kind
     if is_picture(head) or path.suffix.lower() in _PICTURE_SUFFIXES:
-        return picture_drawing(path, width, height, decode, drawn_as, budget), "picture"
+        return picture_drawing(path, width, height, decode, drawn_as, budget, tracing), "picture"
     raise InputError(
         f"'{path.name}' is not a drawing that can be read. Use PNG, JPEG, BMP, SVG, DXF or JSON."
     )

@@ -20,8 +20,10 @@ _STILL_NOISE = 70.0  # no noise makes a difference above this count as backgroun
 _PLAIN_BORDER = 0.5  # this part of the border must fit one smooth background
 
 
-def coverage(rgba: NDArray[np.uint8]) -> Pixels:
+def coverage(rgba: NDArray[np.uint8], threshold: float = 0.0) -> Pixels:
     """Part of each pixel, 0 to 1, that is drawn on, for a picture (h, w, 4); (h, w).
+
+    threshold  how far what is drawn is from the background, of the greatest difference; 0 finds it
 
     By transparency where the picture has some, else by difference from a plain or softly shaded background,
     which is learnt from the border. PictureError where neither shows a shape.
@@ -34,7 +36,8 @@ def coverage(rgba: NDArray[np.uint8]) -> Pixels:
         )
     border = np.concatenate([clear[0], clear[-1], clear[:, 0], clear[:, -1]])
     if border.mean() >= _CLEAR_BORDER:
-        return np.minimum(alpha / np.float32(np.percentile(alpha[~clear], 95)), 1)
+        opaque = np.float32(np.percentile(alpha[~clear], 95) * (2.0 * threshold or 1.0))
+        return np.minimum(alpha / opaque, 1)
     colours = rgba[..., :3].astype(np.float32)
     background = background_colours(colours, clear)
     difference = np.linalg.norm(colours - background, axis=2).astype(np.float32)
@@ -42,7 +45,7 @@ def coverage(rgba: NDArray[np.uint8]) -> Pixels:
     highest = float(difference.max())
     if highest < _SAME_COLOUR:
         raise PictureError("The picture has a single colour. Choose one that shows a shape on a background.")
-    return _soften(difference, _threshold(difference, highest))
+    return _soften(difference, threshold * highest or _threshold(difference, highest))
 
 
 def background_colours(colours: NDArray[np.float32], clear: Bools) -> NDArray[np.float32]:

@@ -9,12 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from BalloonWorkbench.core.geometry.vectors import foot
+from BalloonWorkbench.core.options.drawing import TracingOptions
 from BalloonWorkbench.core.tracing.pen_stroke_ends import meeting_ends
 from BalloonWorkbench.core.tracing.raster import Pixels, distance, grow, label, neighbours
 from BalloonWorkbench.core.types import Bools, Floats
 
 # Sizes relative to the diagonal of the drawing's bounding box.
-_THIN = 0.05  # a line is thinner than this
 _WIDEST_GAP = 0.10  # wider gaps are left open
 _LINES_PART = 0.6  # of the drawn area, for a pen drawing; the rest may be eyes and other filled spots
 # A gap is closed only where the room behind it is this much wider than the gap itself: a bay is not a gap.
@@ -41,11 +41,11 @@ class Strokes:
     diagonal: float
 
 
-def strokes(drawn: Bools) -> Strokes:
-    """How thick the drawn parts (h, w) are."""
+def strokes(drawn: Bools, thin_below: float = TracingOptions.line_width) -> Strokes:
+    """How thick the drawn parts (h, w) are; a line is thinner than a part of the diagonal of their box."""
     rows, columns = np.flatnonzero(drawn.any(axis=1)), np.flatnonzero(drawn.any(axis=0))
     diagonal = float(np.hypot(np.ptp(rows) + 1, np.ptp(columns) + 1))
-    half = 0.5 * _THIN * diagonal
+    half = 0.5 * thin_below * diagonal
     depth = distance(np.pad(drawn, 1))[1:-1, 1:-1]
     thin = drawn & ~grow(depth > half, half + 1)
     # Across a line of width w the depth runs evenly from 0 to w / 2.

@@ -15,6 +15,7 @@ from BalloonWorkbench.core.files.foreign_reader import foreign_reader
 from BalloonWorkbench.core.geometry.crossings import contains, first_crossing
 from BalloonWorkbench.core.geometry.polyline import bounds, extent, perimeter
 from BalloonWorkbench.core.memoize import memoized
+from BalloonWorkbench.core.options.drawing import USUAL_TRACING, TracingOptions, check_tracing
 from BalloonWorkbench.core.outline.budget import Budget
 from BalloonWorkbench.core.outline.drawing import SPECK, Drawing, checked, speck_note
 from BalloonWorkbench.core.outline.outline import Outline
@@ -30,7 +31,7 @@ Decode = Callable[[Path], NDArray[np.uint8]]
 _LONGEST_SIDE = 1600  # px; more detail than this is below a fifth of a millimetre on a 300 mm balloon
 _SMALLEST_SIDE = 16  # px
 _MOST_BOUNDARY = 40  # times the longest side; a hundred fingers side by side have half of it
-_SMALLEST_HOLE = 0.005  # of the area of its shape
+_OWNER = 0.005  # of the area of the largest shape; what is smaller has no holes of its own
 _GRAIN = 1e-4  # of the area of the largest shape; below this it is noise, which is not worth a remark
 _THIN = 0.01  # mean width of another shape, of the larger dimension, below which it is a line
 
@@ -49,6 +50,7 @@ def picture_drawing(
     decode: Decode | None = None,
     drawn_as: str = AUTO,
     budget: Budget | None = None,
+    tracing: TracingOptions = USUAL_TRACING,
 ) -> Drawing:
     """The shapes in a picture file, `width` or `height` m large (inside both where both are given).
 
@@ -66,7 +68,7 @@ def picture_drawing(
     picture_size(path)
     with foreign_reader(lambda _: damaged(path.name)):
         pixels = (decode or decode_shape)(path)
-    drawing, _ = placed_drawing(shrunk(pixels), drawn_as=drawn_as, budget=budget)
+    drawing, _ = placed_drawing(shrunk(pixels), STEP, drawn_as, budget, tracing)
     return checked(scale_to(drawing, width, height), budget)
 
 
@@ -82,7 +84,11 @@ def drawing_of(rgba: NDArray[np.uint8], drawn_as: str = AUTO) -> Drawing:
 
 @memoized(most=4)
 def placed_drawing(
-    rgba: NDArray[np.uint8], step: float = STEP, drawn_as: str = AUTO, budget: Budget | None = None
+    rgba: NDArray[np.uint8],
+    step: float = STEP,
+    drawn_as: str = AUTO,
+    budget: Budget | None = None,
+    tracing: TracingOptions = USUAL_TRACING,
 ) -> tuple[Drawing, Floats]:
     """The drawing of `drawing_of`, and where its origin lies in the picture (2,) px, y up.
 
@@ -92,8 +98,9 @@ def placed_drawing(
         raise PictureError(
             f"The picture is too small to see a shape. Use {_SMALLEST_SIDE} pixels or more across."
         )
+    check_tracing(tracing)
     budget = budget or Budget()
-    silhouette, notes = segment(rgba, drawn_as)
+    silhouette, notes = segment(rgba, drawn_as, tracing)
     budget.check_time()
     loops = contours(silhouette)
     if not loops:
@@ -106,7 +113,7 @@ def placed_drawing(
         raise PictureError("The shape in the picture is too frayed to trace. Use a clearer picture.")
     seen = [(loop, own) for loop, own in loops if abs(own) >= _GRAIN * area]
     shapes = [(loop, own) for loop, own in seen if own > 0]
-    owners = [shape for shape in shapes if shape[1] >= _SMALLEST_HOLE * area]
+    owners = [shape for shape in shapes if shape[1] >= _OWNER * area]
     parts = [shape for shape in shapes if shape[1] >= SPECK * area]
     large = max(extent(loop) for loop, _ in parts)
     lines = [loop for loop, own in parts if loop is not main and _mean_width(loop, own) < _THIN * large]
@@ -116,14 +123,15 @@ def placed_drawing(
         budget.check_time()
         holes.append(_holes_of(loop, own, owners, seen))
     wide = [
-        [hole for hole, size in mine if size >= _SMALLEST_HOLE * own] for (_, own), mine in zip(parts, holes)
+        [hole for hole, size in mine if size >= tracing.smallest_hole * own]
+        for (_, own), mine in zip(parts, holes)
     ]
     filled = sum(map(len, holes)) - sum(map(len, wide))
     notes += _notes(
         [loop for loop, _ in parts], lines, len(shapes) - len(parts) - len(lines), filled, rgba.shape
     )
     shapes_and_holes = [[loop, *mine] for (loop, _), mine in zip(parts, wide)]
-    traced = _simple(shapes_and_holes, step * max(rgba.shape[:2]), budget)
+    traced = _simple(shapes_and_holes, step * max(rgba.shape[:2]), tracing.smoothness, budget)
     corner = np.concatenate([loops[0] for loops in traced]).min(axis=0)
     outlines = [Outline(outer - corner, tuple(hole - corner for hole in inner)) for outer, *inner in traced]
     canvas = np.array([[0.0, 0.0], [rgba.shape[1], rgba.shape[0]]]) - corner
@@ -150,12 +158,12 @@ def _mean_width(loop: Floats, area: float) -> float:
     return 2.0 * area / perimeter(loop)
 
 
-def _simple(shapes: list[list[Floats]], radius: float, budget: Budget) -> list[list[Floats]]:
+def _simple(shapes: list[list[Floats]], radius: float, smooth: float, budget: Budget) -> list[list[Floats]]:
     """The traced loops; where smoothing would make thin parts touch, with less of it."""
     rough = 1.0 if radius > 0 else 2.5  # a quick look gets by with fewer points
     for ripple, tolerance in ((1.0, 0.2 * rough), (0.5, 0.1 * rough)):
         budget.check_time()
-        traced = [[trace(loop, radius, ripple, tolerance) for loop in loops] for loops in shapes]
+        traced = [[trace(loop, radius, smooth * ripple, tolerance) for loop in loops] for loops in shapes]
         if first_crossing([loop for loops in traced for loop in loops]) is None:
             return traced
     return [[trace(loop, radius, 0.0, 0.0) for loop in loops] for loops in shapes]

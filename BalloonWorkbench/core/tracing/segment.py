@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from BalloonWorkbench.core.errors import InputError, PictureError
+from BalloonWorkbench.core.options.drawing import USUAL_TRACING, TracingOptions
 from BalloonWorkbench.core.tracing.background import coverage
 from BalloonWorkbench.core.tracing.pen_drawing import Strokes, close_gaps, draw_line, join_near, strokes
 from BalloonWorkbench.core.tracing.raster import Pixels, label, neighbours
@@ -29,7 +30,9 @@ _TOLD_FROM = 5e-4
 _DRAWN_ROUND = 0.5
 
 
-def segment(rgba: NDArray[np.uint8], drawn_as: str = AUTO) -> tuple[Pixels, list[str]]:
+def segment(
+    rgba: NDArray[np.uint8], drawn_as: str = AUTO, tracing: TracingOptions = USUAL_TRACING
+) -> tuple[Pixels, list[str]]:
     """Coverage (h, w), 0 to 1, of the silhouette in a picture (h, w, 4), and remarks for the user.
 
     Holes that are left are meant: the inside of lines is filled, but not in a picture drawn as a SHAPE.
@@ -37,7 +40,7 @@ def segment(rgba: NDArray[np.uint8], drawn_as: str = AUTO) -> tuple[Pixels, list
     """
     if drawn_as not in DRAWN_AS:
         raise InputError(f'A picture cannot be drawn as "{drawn_as}": choose {", ".join(DRAWN_AS)}.')
-    silhouette = coverage(rgba)
+    silhouette = coverage(rgba, tracing.threshold)
     drawn = silhouette > 0.5
     if not drawn.any():
         raise PictureError(
@@ -45,7 +48,7 @@ def segment(rgba: NDArray[np.uint8], drawn_as: str = AUTO) -> tuple[Pixels, list
         )
     if drawn_as == SHAPE:
         return silhouette, []
-    lines = strokes(drawn)
+    lines = strokes(drawn, tracing.line_width)
     if lines.pen or drawn_as == PEN:
         return _pen_drawing(silhouette, replace(lines, pen=True))
     filled = _inside_of_lines(drawn, lines)

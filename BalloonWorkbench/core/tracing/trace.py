@@ -13,12 +13,13 @@ from __future__ import annotations
 import numpy as np
 
 from BalloonWorkbench.core.geometry.normals import corners
-from BalloonWorkbench.core.geometry.polyline import arc_lengths, point_at, ring
+from BalloonWorkbench.core.geometry.polyline import arc_lengths, perimeter, point_at, ring
 from BalloonWorkbench.core.geometry.sampling import simplify, smooth, with_points_at
 from BalloonWorkbench.core.types import Floats
 
 #: Radius of the circle, relative to the longer side of the picture: 10 px of 1000.
 STEP = 0.01
+_OF_LENGTH = 1.0 / 24.0
 _CORNER = np.radians(40.0)
 _REACH = 4.0  # px along the boundary over which a corner shows, well above the steps of the pixels
 
@@ -69,8 +70,10 @@ def trace(boundary: Floats, radius: float, ripple: float = 1.0, tolerance: float
     radius  of the circle [px]; 0 leaves the walk out, for a quick look
     ripple  width of the pixel noise that is smoothed away beforehand, away from corners [px]
     """
+    # a small loop keeps its form
+    ripple = min(ripple, max(1.0, _OF_LENGTH * perimeter(boundary)))
     if ripple > 0:
-        boundary = smooth(boundary, ripple, corners(boundary, _CORNER, _REACH))
+        boundary = smooth(boundary, ripple, corners(boundary, _CORNER, _REACH * max(1.0, ripple)))
     if radius <= 0:
         return simplify(boundary, tolerance)
     lengths = arc_lengths(boundary)

@@ -85,6 +85,11 @@ class NodeView(ZoomView):
             (left, low), (right, high) = to_mm(canvas).tolist()
             self._picture_box = QtCore.QRectF(left, low, right - left, high - low)
 
+    @property
+    def is_settled(self) -> bool:
+        """What is shown is what is kept."""
+        return self._shown is None
+
     def show_dragged(self, nodes: NodeDrawing) -> None:
         """Show a state that is not kept yet."""
         self._shown = nodes

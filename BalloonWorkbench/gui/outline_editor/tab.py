@@ -14,8 +14,11 @@ import numpy as np
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.border.guard import Guarded
 from BalloonWorkbench.app.document.parts import parts_of
-from BalloonWorkbench.app.outline import edited, read_plain, trace
+from BalloonWorkbench.app.drawings.drawing_file import stretched
+from BalloonWorkbench.app.outline import edited, read_plain, reading_of, trace
+from BalloonWorkbench.app.properties.property_table import write_options
 from BalloonWorkbench.core.errors import BalloonError
+from BalloonWorkbench.core.options.drawing import TracingOptions
 from BalloonWorkbench.core.outline.drawing import Drawing
 from BalloonWorkbench.core.outline_edits.apply_edits import (
     EditedDrawing,
@@ -30,6 +33,8 @@ from BalloonWorkbench.core.outline_edits.apply_edits import (
 from BalloonWorkbench.core.outline_edits.edit import ADD, MOVE, REMOVE, ROUND, SHARP, edit_text, edits_of
 from BalloonWorkbench.core.outline_edits.nodes import CORNER
 from BalloonWorkbench.gui.outline_editor.node_view import NodeView
+from BalloonWorkbench.gui.outline_editor.retracing import Retracing
+from BalloonWorkbench.gui.outline_editor.tracing_sliders import TracingSliders
 from BalloonWorkbench.gui.panels.widgets.drawing_preview import notes_of
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon, translate
 from BalloonWorkbench.gui.window import macro_recorder
@@ -77,8 +82,8 @@ class OutlineTab(QtWidgets.QWidget):
         self.state: EditedDrawing | None = None
         self._drawing: Drawing | None = None  # before its edits
         self._edit = macro_recorder.Edit(parts_of(obj)) if parts_of(obj) else None
-        self._past: list[list[str]] = []  # edits before each one that a task panel has in its undo step
-        self._future: list[list[str]] = []
+        self._past: list[tuple] = []  # what was before each step that is part of an open panel's
+        self._future: list[tuple] = []
         self.view = NodeView()
         self.line = QtWidgets.QLabel()
         self.line.setObjectName("OutlineLine")
@@ -88,7 +93,13 @@ class OutlineTab(QtWidgets.QWidget):
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
         column.addWidget(self._bar())
-        column.addWidget(self.view, 1)
+        self.sliders = TracingSliders()
+        self.retracing = Retracing(self)
+        row = QtWidgets.QHBoxLayout()
+        row.setSpacing(0)
+        row.addWidget(self.view, 1)
+        row.addWidget(self.sliders)
+        column.addLayout(row, 1)
         column.addWidget(self.line)
         self._connect()
         self._soon = QtCore.QTimer(self)
@@ -129,6 +140,8 @@ class OutlineTab(QtWidgets.QWidget):
         view.undone.connect(self.undo)
         view.redone.connect(self.redo)
         view.left.connect(self.close_tab)
+        self.sliders.asked.connect(self.retrace)
+        self.retracing.ended.connect(self._traced)
 
     # the document
 
@@ -151,15 +164,19 @@ class OutlineTab(QtWidgets.QWidget):
         except BalloonError as error:
             self.fail(error)
             return
-        if self.obj is None or state is self.state:
+        if self.obj is None:
             return
+        self.sliders.show_values(reading_of(self.obj)[2])
+        if state is self.state and self.view.is_settled:
+            return
+        self.sliders.setVisible(drawing.canvas is not None)
         self.state, self._drawing = state, drawing
         self.both.setEnabled(bool(axes_of(drawing)))
         self.view.show_picture("" if drawing.canvas is None else self.obj.Drawing, drawing.canvas)
         self.view.show_nodes(state.nodes, [np.array(each) for each in self.view.chosen])
-        self._tell()
+        self._show_line()
 
-    def _tell(self) -> None:
+    def _show_line(self) -> None:
         problem = status.problem(self.obj)
         sentences = [translated(each) for each in (*self.state.left_out, problem) if each]
         hint = translate("Click the line for a new node; drag nodes; Delete removes them; S: sharp or round.")
@@ -174,6 +191,7 @@ class OutlineTab(QtWidgets.QWidget):
         """The object is being deleted: the tab closes when FreeCAD is done with that."""
         self.obj = None
         self._soon.stop()
+        self.retracing.stop()
         QtCore.QTimer.singleShot(0, self.close_tab)
 
     def close_tab(self) -> None:
@@ -183,6 +201,7 @@ class OutlineTab(QtWidgets.QWidget):
 
     def closeEvent(self, event):
         obj, self.obj = self.obj, None
+        self.retracing.stop()
         if self in _tabs:
             _tabs.remove(self)
             if obj is not None:
@@ -252,22 +271,45 @@ class OutlineTab(QtWidgets.QWidget):
             self.fail(error)
             return
         self.view.chosen = [(float(place[0]), float(place[1])) for place in chosen]
-        self._write([edit_text(edit) for edit in kept])
+        self._write([edit_text(edit) for edit in kept], self._now()[1])
 
-    def _write(self, texts: list[str]) -> None:
+    def retrace(self, tracing, keep: bool) -> None:
+        """Trace the picture in another way: to look at, or to keep."""
+        if self.obj is not None:
+            self.retracing.ask(self.obj, tracing, keep)
+
+    def _traced(self, worker) -> None:
+        if self.obj is None:
+            return
+        if worker.error is not None:
+            self.fail(worker.error)
+        elif worker.request.keep:
+            if worker.request.tracing != self._now()[1]:
+                self._write(list(self.obj.OutlineEdits), worker.request.tracing)
+        else:
+            drawing = worker.design[0]
+            drawing = drawing if self.obj.KeepAspect else stretched(drawing, worker.request.size)
+            self.view.show_dragged(edited(self.obj, drawing).nodes)
+
+    def _now(self) -> tuple:
+        """The edits, and how the picture is traced."""
+        return list(self.obj.OutlineEdits), reading_of(self.obj)[2]
+
+    def _write(self, texts: list[str], tracing) -> None:
         doc, in_panel = self.obj.Document, Gui.Control.activeDialog()
         if in_panel:
-            self._past.append(list(self.obj.OutlineEdits))
+            self._past.append(self._now())
             self._future.clear()
         else:
             doc.openTransaction(translate("Edit outline"))
-        self._put(texts)
+        self._put(texts, tracing)
         if not in_panel and self.obj is not None:
             doc.commitTransaction()
 
-    def _put(self, texts: list[str]) -> None:
-        """Give the outline its edits, and show what comes of it."""
+    def _put(self, texts: list[str], tracing) -> None:
+        """Give the outline its edits and how it is traced, and show what comes of it."""
         self.obj.OutlineEdits = texts
+        write_options(self.obj, tracing, TracingOptions)
         others = (each for each in self.obj.InList if getattr(each, "Leader", None) == self.obj)
         self.obj.Document.recompute([self.obj, *others])
         self.follow()
@@ -281,8 +323,8 @@ class OutlineTab(QtWidgets.QWidget):
             getattr(self.obj.Document, action)()
             self.changed()
         elif back:
-            on.append(list(self.obj.OutlineEdits))
-            self._put(back.pop())
+            on.append(self._now())
+            self._put(*back.pop())
 
 
 def _call(act, _checked: bool = False) -> None:

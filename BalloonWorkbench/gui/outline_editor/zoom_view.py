@@ -34,11 +34,11 @@ class ZoomView(OwnKeys, QtWidgets.QGraphicsView):
         self.scale(1.0, -1.0)
 
     def set_whole(self, whole) -> None:
-        """What is there is as large as that now."""
+        """What is there is as large as that now; at first all of it is seen."""
         room = max(whole.width(), whole.height())
         self.scene().setSceneRect(whole.adjusted(-room, -room, room, room))  # as far as it can be pulled
-        self.whole = whole
-        if self._fitted:
+        is_first, self.whole = self.whole.isEmpty(), whole
+        if is_first:
             self.fit()
 
     @property

@@ -7,8 +7,17 @@ import hands
 import pytest
 from PySide import QtSvg
 
-COMMANDS = ("FromPicture", "FromSketch", "FromProfile", "FromBody", "FromPanels", "Advice", "PatternView")
-COMMANDS += ("ColourMap", "Animate", "Study", "Artwork", "Nest", "ExportPattern", "AssemblySheet")
+COMMANDS = ("FromPicture", "FromSketch", "FromProfile", "FromBody", "FromPanels", "EditOutline", "Advice")
+COMMANDS += (
+    "PatternView",
+    "ColourMap",
+    "Animate",
+    "Study",
+    "Artwork",
+    "Nest",
+    "ExportPattern",
+    "AssemblySheet",
+)
 COMMANDS += ("ExportForWeb", "Compare")
 TEXTS = [
     "Paint a balloon",
@@ -17,6 +26,7 @@ TEXTS = [
     "New body of gores",
     "New balloon from body",
     "New bag of panels",
+    "Edit outline",
     "Advice",
     "Pattern view",
     "Colour map",
@@ -67,6 +77,7 @@ def test_commands_are_offered_when_they_make_sense():
         "FromProfile": True,
         "FromBody": True,
         "FromPanels": True,
+        "EditOutline": False,
         "Advice": False,
         "PatternView": False,
         "ColourMap": False,

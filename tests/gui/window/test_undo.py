@@ -148,7 +148,7 @@ LOOKS = {"ColourMap": look, "Animate": look, "Equipment": look, "ExportPattern":
 LOOKS |= {"AssemblySheet": write_sheet, "Machines": look, "TestCard": look, "Compare": look}
 LOOKS["ExportForWeb"] = look
 #: It has a window of its own; these open documents of their own; tests/gui/many_panels undoes the others.
-OTHERS = {"Paint", "PatternView", "Examples", "FromProfile", "FromBody", "FromPanels"}
+OTHERS = {"Paint", "EditOutline", "PatternView", "Examples", "FromProfile", "FromBody", "FromPanels"}
 
 
 def run(name, work, document):
