@@ -186,7 +186,7 @@ def _measure():
             continue
         tool, colour, width, places, seconds = stroke
         window.choose(_tool(tool))
-        window.colour(colour)
+        window.extras.colour(colour)
         window.hand.set_thickness(max(1, round(width / (window.hand.tool.widening or 1.0))))
         screen.reset()
         player.play([on_screen(canvas, place) for place in places], seconds)

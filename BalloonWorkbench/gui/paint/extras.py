@@ -79,6 +79,7 @@ class Extras(QtCore.QObject):
         if tool in MORE_TOOLS:
             self.actions.buttons["more"].setChecked(True)
         self.options.show_for(tool)
+        self._describe(tool)
 
     def key(self, letter: str) -> bool:
         """Do what a key says; False where it says nothing here."""
@@ -121,8 +122,8 @@ class Extras(QtCore.QObject):
             self._dialog.close()
 
     def paint_on(self, layer: str) -> None:
-        """Paint on the shape or the decoration."""
-        self.canvas.finish()
+        """Paint on the shape or the decoration; what is being placed will be there, too."""
+        self.hand.end()
         self.hand.layer = layer
         self.bar.show_layer(layer)
         self._show_layer()
@@ -135,7 +136,11 @@ class Extras(QtCore.QObject):
         self.note.setText(translate("You paint on: {}").format(title))
         self.note.adjustSize()
         self.note.setVisible(self.bar.isVisibleTo(self.widget) or self.hand.layer == DECORATION)
-        self.canvas.setAccessibleDescription(self.note.text())
+        self._describe(self.hand.tool)
+
+    def _describe(self, tool) -> None:
+        """Say for screen readers what the paper is painted with."""
+        self.canvas.setAccessibleDescription(f"{translate(tool.text)}. {self.note.text()}")
 
     def _extend(self, on: bool) -> None:
         self.bar.setVisible(on)

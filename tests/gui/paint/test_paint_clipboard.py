@@ -108,6 +108,25 @@ def test_pictures_of_other_programs_lose_their_background(window, clipboard):
     key(window.canvas, Qt.Key_Escape)
 
 
+def test_a_large_picture_becomes_as_large_as_the_paper(window, clipboard):
+    """Also one that is offered without the content of a file."""
+    large = QtGui.QImage(5000, 2500, QtGui.QImage.Format_ARGB32)
+    large.fill(QtGui.QColor(RED))
+    large.setPixelColor(0, 0, QtGui.QColor(0, 0, 0, 0))
+    bare = QtCore.QMimeData()
+    bare.setImageData(large)
+    for give in (
+        lambda: clipboard.setMimeData(bare),
+        lambda: offer(clipboard, "image/png", content_of(large, "PNG")),
+    ):
+        give()
+        key(window.canvas, Qt.Key_V, "\x16", CTRL)
+        hands.wait_until(window.canvas.floating.is_there, 20)
+        box = window.canvas.floating.box
+        assert (box.width(), box.height()) == (SIDE, SIDE / 2)
+        key(window.canvas, Qt.Key_Escape)
+
+
 def test_lines_of_other_programs_are_filled(window, clipboard):
     ring = b"""<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="100mm" viewBox="0 0 100 100">
     <path d="M0 0 L100 0 L100 100 L0 100 Z M30 30 L30 70 L70 70 L70 30 Z" fill="#000"

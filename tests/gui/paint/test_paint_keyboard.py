@@ -128,7 +128,7 @@ def test_tab_reaches_everything_and_everything_has_a_name(window):
             said = each.accessibleName() or getattr(each, "text", str)() or each.toolTip()
             assert said, each.objectName()
     assert window.canvas.accessibleName() == "Paper"
-    assert "Shape" in window.canvas.accessibleDescription()
+    assert window.canvas.accessibleDescription() == "Stamp. You paint on: Shape"
 
 
 def test_a_mouse_leaves_the_keys_with_the_canvas(window):

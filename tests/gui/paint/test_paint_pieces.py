@@ -222,6 +222,17 @@ def test_words_of_any_script(window, words):
             assert 0 < image.height() <= 2 * SIDE
 
 
+def test_words_go_to_the_layer_that_is_chosen_while_they_are_typed(window):
+    draw(window.canvas, [(0.1, 0.5), (0.9, 0.5)], let_live=False)
+    press("PaintText")
+    click(window.canvas, (0.3, 0.5))
+    hands.find("PaintWords").setText("Mia")
+    press("PaintLayerDecoration")
+    assert window.canvas.floating.is_there()
+    hands.key(hands.find("PaintWords"), Qt.Key_Return, "\r")
+    assert [step.layer for step in window.painting.steps] == ["shape", "decoration"]
+
+
 def test_joined_letters_are_one_shape(window):
     from BalloonWorkbench.core.tracing.raster import label
 

@@ -7,7 +7,7 @@ import tempfile
 from pathlib import Path
 
 from BalloonWorkbench.app.drawings.qt_picture import pixels
-from BalloonWorkbench.core.errors import BalloonError, PictureError
+from BalloonWorkbench.core.errors import PictureError
 from BalloonWorkbench.core.readers.read import read_drawing
 from BalloonWorkbench.core.units import from_mm
 from BalloonWorkbench.gui.paint.painting.layers import SIDE
@@ -38,7 +38,7 @@ def pasted(mime, colour: str):
     colour  of a drawing of lines, which is filled
     """
     for kind in _kinds(mime):
-        return _filled(bytes(mime.data(kind)), ".svg", colour) if kind == _SVG else _unpacked(mime, kind)
+        return _copied_drawing(mime, colour) if kind == _SVG else _unpacked(mime, kind)
     path = _file_in(mime)
     if path is not None:
         if path.suffix.lower() in _VECTORS:
@@ -47,7 +47,7 @@ def pasted(mime, colour: str):
     image = QtGui.QImage(mime.imageData()) if mime.hasImage() else QtGui.QImage()
     if image.isNull():
         raise PictureError(translate("There is no picture to paste: copy one first."))
-    return image
+    return _shrunk(image)
 
 
 def copied(image):
@@ -103,23 +103,26 @@ def _read(reader, name: str):
         raise PictureError(
             translate("'{}' is not a picture. Save it as PNG, JPEG or BMP once more.").format(name)
         )
+    return _shrunk(image)
+
+
+def _shrunk(image):
+    """No larger than the paper."""
     if max(image.width(), image.height()) > SIDE:
         image = image.scaled(SIDE, SIDE, QtCore.Qt.KeepAspectRatio, QtCore.Qt.SmoothTransformation)
     return image
 
 
-def _filled(content: bytes, suffix: str, colour: str):
+def _copied_drawing(mime, colour: str):
     with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / f"copied{suffix}"
-        path.write_bytes(content)
+        path = Path(folder) / "copied.svg"
+        path.write_bytes(bytes(mime.data(_SVG)))
         return _painted_drawing(path, colour)
 
 
 def _painted_drawing(path: Path, colour: str):
     """A drawing of lines as a picture: its shapes are filled, their holes are not."""
-    drawing, kind = read_drawing(path, width=from_mm(SIDE), height=from_mm(SIDE))
-    if kind == "picture":
-        raise BalloonError(translate("'{}' is not a drawing of lines.").format(path.name))
+    drawing, _ = read_drawing(path, width=from_mm(SIDE), height=from_mm(SIDE))
     width, height = drawing.size
     scale = _DRAWN * SIDE / max(width, height)
     outline = QtGui.QPainterPath()

@@ -143,8 +143,8 @@ class Painting(QtCore.QObject):
         count = len(self._steps)
         self._copies = {number: copy for number, copy in self._copies.items() if number <= count}
         start = max(self._copies, default=0)
-        copies = self._copies.get(start)
-        self.layers = {name: copies[name].copy() if copies else blank() for name in LAYERS}
+        copies = self._copies.get(start, {})
+        self.layers = {name: copies[name].copy() if name in copies else blank() for name in LAYERS}
         self._is_decorated = most_alpha(self.layers[DECORATION]) > 0
         self._is_inside_known = False
         self._changed = QtGui.QRegion(_PAPER)
@@ -211,6 +211,7 @@ class Painting(QtCore.QObject):
 
     def _keep(self) -> None:
         """A copy of the layers, so that undo need not begin at the first step."""
-        self._copies[len(self._steps)] = {name: image.copy() for name, image in self.layers.items()}
+        used = LAYERS if self._is_decorated else (SHAPE,)
+        self._copies[len(self._steps)] = {name: self.layers[name].copy() for name in used}
         while len(self._copies) > _COPIES:
             del self._copies[min(self._copies)]
