@@ -158,6 +158,15 @@ class StudyPanel(ObjectPanel):
             if [choice.itemText(place) for place in range(choice.count())] != entries:
                 choice.clear()
                 choice.addItems(entries)
+                if choice is not self.up:
+                    choice.setCurrentText(self._first_varied())
+
+    def _first_varied(self) -> str:
+        """The first input that is not the same in all rows, else the first."""
+        rows = [values for values in self.table.rows.values() if isinstance(values, dict)]
+        inputs = list(self.table.inputs.values())
+        vary = (each for each in inputs if len({str(values[each.key]) for values in rows}) > 1)
+        return next(vary, inputs[0]).heading
 
     def _results(self) -> list[str]:
         return [name for name in self.table.results.values() if name != FAILURE]
@@ -362,7 +371,7 @@ class StudyPanel(ObjectPanel):
             self.worker.abandon()
             self.worker = None
         self._keep()
-        self.doc.recompute([self.obj])
+        self.doc.recompute([*filter(None, (self.obj, self.obj.getParentGroup()))])
         self.keep()
         if self.table is not None and self.obj.Balloon is not None and self.obj.Table is not None:
             rows = repr(studies.variants_of(self.obj, self.table))
