@@ -341,6 +341,9 @@ def faint(image, widgets):
             continue
         if isinstance(widget, QtWidgets.QAbstractButton) and widget.underMouse():
             continue  # as the theme lights it up
+        top = QtWidgets.QApplication.widgetAt(widget.mapToGlobal(widget.rect().center()))
+        if isinstance(top, QtWidgets.QWidget) and top.window() is not widget.window():
+            continue  # a box lies over it
         seen = widget.visibleRegion().boundingRect()
         if seen.width() < 8 or seen.height() < max(8, 0.6 * widget.height()):
             continue  # scrolled out of sight, with the letters perhaps

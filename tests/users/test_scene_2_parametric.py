@@ -7,6 +7,7 @@ import hands
 import pytest
 import sketches
 import steps
+from user import show
 
 QtCore, QtWidgets = hands.QtCore, hands.QtWidgets
 
@@ -84,6 +85,7 @@ def _pressure_from_a_cell(user, story, doc):
     hands.wait_until(hands.panel_is_seen)
     field = hands.find("Pressure")
     hands.show_tab(field)
+    show(hands.find("Apply"))  # FreeCAD's box for expressions needs room below the field
     hands.wait(0.5)  # the page takes its place
     user.click(field.mapToGlobal(QtCore.QPoint(20, field.height() // 2)))
     story.step("pressure-page")

@@ -83,6 +83,8 @@ def _gone_on_with(user, story, doc):
     hands.wait_until(lambda: hands.find("StudyStart").text() == "Work out" and _done() == ROWS, 180)
     hands.wait(0.3)
     story.step("all-rows")
+    over = hands.find("StudyAcross").currentText()
+    story.expect(over == "Pressure", f"the plot is over {over}, which is the same in all rows")
     steps.leave(user)
     values = [doc.Study.Table.get(f"{letter}2") for letter in "AB"]
     story.expect(all(values), f"the spreadsheet has {values}")

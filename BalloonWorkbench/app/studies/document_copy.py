@@ -13,8 +13,9 @@ from xml.etree import ElementTree
 
 from BalloonWorkbench.core.errors import ExportError
 
-#: Properties that are looks; those that our objects work out like their results.
-_LOOKS = frozenset({"Visibility", "Label2", "TreeRank"})
+#: Properties that are looks, or follow from another one, which FreeCAD 1.1 sees to when it opens a document;
+#: those that our objects work out like their results.
+_LOOKS = frozenset({"Visibility", "Label2", "TreeRank", "AttacherEngine"})
 _WORKED_OUT = frozenset({"Shape", "Mesh", "Placement"})
 #: How many copies a folder has: more than a study is worked out from while its document is changed.
 _KEPT = 8

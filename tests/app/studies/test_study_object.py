@@ -6,9 +6,11 @@ from pathlib import Path
 
 import FreeCAD as App
 import pytest
+import sketches
 
 import BalloonWorkbench
 from BalloonWorkbench.app.border import status
+from BalloonWorkbench.app.document import create
 from BalloonWorkbench.app.document.parts import parts_of
 from BalloonWorkbench.app.studies import study as studies
 from BalloonWorkbench.app.studies import study_table
@@ -261,6 +263,25 @@ def test_it_is_saved_with_the_document(parts, tmp_path):
         assert type(again.Proxy) is studies.StudyProxy
         assert again.Rows == 1
         assert parts_of(again.Balloon) is not None
+    finally:
+        App.closeDocument(opened.Name)
+
+
+def test_rows_are_known_when_the_document_is_opened_again(tmp_path):
+    """That of a sketch, too: what FreeCAD sees to in it while opening makes no other balloon of it."""
+    doc = App.newDocument("Kept")
+    made = create.balloon_from_sketch(doc, sketches.rectangle(doc), mesh_size=20, correct=False)
+    obj = study_of(made, {"Pressure": ["2 kPa"]}, tmp_path / "rows")
+    work_out(obj)
+    path, name = str(tmp_path / "kept.FCStd"), obj.Name
+    doc.saveAs(path)
+    App.closeDocument(doc.Name)
+    opened = App.openDocument(path, True)
+    try:
+        again = opened.getObject(name)
+        table = studies.read(again)
+        jobs = studies.jobs_of(table, studies.core_study(again, table))
+        assert all(studies.known(table, jobs, tmp_path / "rows").values())
     finally:
         App.closeDocument(opened.Name)
 

@@ -17,6 +17,7 @@ from BalloonWorkbench.core.units import from_mm, to_mm
 from BalloonWorkbench.gui.long_work.worker import Worker
 from BalloonWorkbench.gui.panels.bodies.band_sketch import BandComparison, Sketched, picture_of, usual_band
 from BalloonWorkbench.gui.panels.widgets.fields import PropertyForm
+from BalloonWorkbench.gui.panels.widgets.narrow import fit_heights
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, translate
 from BalloonWorkbench.gui.view3d.film_display import look_of
 from BalloonWorkbench.gui.window.user_units import length_text
@@ -115,6 +116,7 @@ class BandChoice(QtCore.QObject):
             (self.plain, self.banded), worker.design, (translate("Two panels"), translate("Side band"))
         ):
             _fill(button, sketched, title, colour)
+        fit_heights()
 
 
 def _button(name: str, title: str):

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -16,10 +15,10 @@ from BalloonWorkbench.core.errors import BalloonError, Cancelled
 from BalloonWorkbench.core.studies.folder import StudyFolder
 from BalloonWorkbench.core.studies.run import run_study
 from BalloonWorkbench.core.studies.table import FAILURE
-from BalloonWorkbench.core.units import number_text
 from BalloonWorkbench.gui.long_work.worker import Worker
 from BalloonWorkbench.gui.panels import show
 from BalloonWorkbench.gui.panels.results.study_plot import StudyPlot
+from BalloonWorkbench.gui.panels.results.study_rows import StudyRows
 from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel
 from BalloonWorkbench.gui.panels.widgets.object_panel import ObjectPanel
 from BalloonWorkbench.gui.qt import QtWidgets, translate
@@ -28,9 +27,7 @@ from BalloonWorkbench.gui.window import macro_recorder
 from BalloonWorkbench.gui.window.borders import undo_step
 from BalloonWorkbench.gui.window.sentences import translated
 
-_LOWEST, _MOST_STEPS = 150, 1000  # px; rows that are made of one
-_DIGITS = 4  # of a number in the table
-_LONG = re.compile(r"\d+\.\d{4,}")  # a number with more
+_MOST_STEPS = 1000  # rows that are made of one
 
 
 def show_panel(obj) -> None:
@@ -77,7 +74,7 @@ class StudyPanel(ObjectPanel):
         self.column, self.across, self.up = (QtWidgets.QComboBox() for _ in range(3))
         self.first, self.last = QtWidgets.QLineEdit(), QtWidgets.QLineEdit()
         self.steps, self.make_rows = QtWidgets.QSpinBox(), QtWidgets.QPushButton(translate("Make rows"))
-        self.rows, self.plot = QtWidgets.QTableWidget(), StudyPlot()
+        self.rows, self.plot = StudyRows(), StudyPlot()
         self.start = QtWidgets.QPushButton(translate("Work out"))
         self.take = QtWidgets.QPushButton(translate("Take this row"))
         self.message = WrappedLabel()
@@ -91,7 +88,6 @@ class StudyPanel(ObjectPanel):
             "StudyLast": self.last,
             "StudySteps": self.steps,
             "StudyMakeRows": self.make_rows,
-            "StudyRows": self.rows,
             "StudyAcross": self.across,
             "StudyUp": self.up,
             "StudyStart": self.start,
@@ -102,12 +98,6 @@ class StudyPanel(ObjectPanel):
         self.steps.setRange(1, _MOST_STEPS)
         self.steps.setValue(5)
         self.make_rows.setToolTip(translate("Each row of the table once with each of these values"))
-        self.rows.setMinimumHeight(_LOWEST)
-        self.rows.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
-        self.rows.horizontalHeader().setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
-        self.rows.horizontalHeader().setStretchLastSection(True)
-        self.rows.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
-        self.rows.setToolTip(translate("Double-click a row to see its balloon"))
         self.take.setToolTip(translate("Give the document the values of the chosen row"))
         form = QtWidgets.QFormLayout(self.form)
         form.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
@@ -168,6 +158,15 @@ class StudyPanel(ObjectPanel):
             if [choice.itemText(place) for place in range(choice.count())] != entries:
                 choice.clear()
                 choice.addItems(entries)
+                if choice is not self.up:
+                    choice.setCurrentText(self._first_varied())
+
+    def _first_varied(self) -> str:
+        """The first input that is not the same in all rows, else the first."""
+        rows = [values for values in self.table.rows.values() if isinstance(values, dict)]
+        inputs = list(self.table.inputs.values())
+        vary = (each for each in inputs if len({str(values[each.key]) for values in rows}) > 1)
+        return next(vary, inputs[0]).heading
 
     def _results(self) -> list[str]:
         return [name for name in self.table.results.values() if name != FAILURE]
@@ -212,32 +211,22 @@ class StudyPanel(ObjectPanel):
             self.table._replace(rows=missing), self.jobs, studies.folder(self.obj)
         )
         inputs, results = list(self.table.inputs.values()), self._shown_results()
-        self.rows.setColumnCount(len(inputs) + len(results))
-        self.rows.setHorizontalHeaderLabels([each.heading for each in inputs] + results)
-        self.rows.setRowCount(len(self.table.rows))
-        self.rows.setVerticalHeaderLabels(list(map(str, self.table.rows)))
-        for place, number in enumerate(self.table.rows):
-            row_results = self.row_results.get(number, {})
-            texts = [self._input_text(letters, number) for letters in self.table.inputs]
-            cells = [*texts, *(_text(row_results.get(name)) for name in results)]
-            for column, text in enumerate(cells):
-                item = QtWidgets.QTableWidgetItem(text)
-                item.setToolTip(translated(str(row_results.get(FAILURE) or "")))
-                self.rows.setItem(place, column, item)
-        self._hide_equal(len(inputs))
+        rows = {
+            number: [
+                *(self._input_text(letters, number) for letters in self.table.inputs),
+                *(self.row_results.get(number, {}).get(name) for name in results),
+            ]
+            for number in self.table.rows
+        }
+        failures = {
+            number: translated(str(each.get(FAILURE) or "")) for number, each in self.row_results.items()
+        }
+        self.rows.show_rows([each.heading for each in inputs], results, rows, failures)
         self._say_counts()
         self._show_plot()
 
-    def _hide_equal(self, inputs: int) -> None:
-        """A panel is narrow: inputs that are the same in all rows are not shown, unless all are."""
-        rows = range(self.rows.rowCount())
-        vary = [len({self.rows.item(row, column).text() for row in rows}) > 1 for column in range(inputs)]
-        for column, varies in enumerate(vary):
-            self.rows.setColumnHidden(column, any(vary) and not varies)
-
     def _input_text(self, letters: str, number: int) -> str:
-        text = str(self.obj.Table.getContents(f"{letters}{number}")).lstrip("='")
-        return _LONG.sub(lambda digits: number_text(float(digits[0]), _DIGITS), text)
+        return str(self.obj.Table.getContents(f"{letters}{number}")).lstrip("='")
 
     def _say_counts(self) -> None:
         failures = [str(each[FAILURE]) for each in self.row_results.values() if each.get(FAILURE)]
@@ -382,18 +371,10 @@ class StudyPanel(ObjectPanel):
             self.worker.abandon()
             self.worker = None
         self._keep()
-        self.doc.recompute([self.obj])
+        self.doc.recompute([*filter(None, (self.obj, self.obj.getParentGroup()))])
         self.keep()
         if self.table is not None and self.obj.Balloon is not None and self.obj.Table is not None:
             rows = repr(studies.variants_of(self.obj, self.table))
             parts = f"BalloonWorkbench.parts({macro_recorder.obj(self.obj.Balloon)})"
             macro_recorder.call("study", parts, rows, result=self.obj, name="study")
         return True
-
-
-def _text(value) -> str:
-    if value is None:
-        return ""
-    if isinstance(value, bool):
-        return translate("yes") if value else translate("no")
-    return number_text(value, _DIGITS) if isinstance(value, (int, float)) else str(value)
