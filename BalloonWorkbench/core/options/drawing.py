@@ -6,9 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass, fields
 from functools import partial
 
-from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.options.option import Kind, Section, options_of, titles_in
-from BalloonWorkbench.core.units import number_text
+from BalloonWorkbench.core.options.option import Kind, Section, titles_in
 
 DRAWING, SIZE, FILLING = Section("Drawing"), Section("Size"), Section("Filling")
 
@@ -55,15 +53,6 @@ class ReadingOptions(TracingOptions):
         label="Symmetry", choices={"auto": "Automatic", "off": "Off", "force": "Forced"})
     passage: float = DRAWING(Kind.LENGTH, 0.01,
         "Left open in welds that would cut off a part, so wide; 0 gives each part an intake of its own")
-
-
-def check_tracing(tracing: TracingOptions) -> None:
-    """InputError for what a picture cannot be traced with."""
-    for option in options_of(TracingOptions):
-        value = getattr(tracing, option.name)
-        if not option.least <= value <= option.most:
-            most = number_text(option.most)
-            raise InputError(f"The {option.name.replace('_', ' ')} must be between 0 and {most}.")
 
 
 def tracing_of(options: TracingOptions) -> TracingOptions:

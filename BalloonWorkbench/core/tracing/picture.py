@@ -15,7 +15,8 @@ from BalloonWorkbench.core.files.foreign_reader import foreign_reader
 from BalloonWorkbench.core.geometry.crossings import contains, first_crossing
 from BalloonWorkbench.core.geometry.polyline import bounds, extent, perimeter
 from BalloonWorkbench.core.memoize import memoized
-from BalloonWorkbench.core.options.drawing import USUAL_TRACING, TracingOptions, check_tracing
+from BalloonWorkbench.core.options.drawing import USUAL_TRACING, TracingOptions
+from BalloonWorkbench.core.options.option import options_of
 from BalloonWorkbench.core.outline.budget import Budget
 from BalloonWorkbench.core.outline.drawing import SPECK, Drawing, checked, speck_note
 from BalloonWorkbench.core.outline.outline import Outline
@@ -25,6 +26,7 @@ from BalloonWorkbench.core.tracing.picture_file import decode_shape, picture_siz
 from BalloonWorkbench.core.tracing.segment import AUTO, segment
 from BalloonWorkbench.core.tracing.trace import STEP, trace
 from BalloonWorkbench.core.types import Floats
+from BalloonWorkbench.core.units import number_text
 
 Decode = Callable[[Path], NDArray[np.uint8]]
 
@@ -98,7 +100,7 @@ def placed_drawing(
         raise PictureError(
             f"The picture is too small to see a shape. Use {_SMALLEST_SIDE} pixels or more across."
         )
-    check_tracing(tracing)
+    _check_tracing(tracing)
     budget = budget or Budget()
     silhouette, notes = segment(rgba, drawn_as, tracing)
     budget.check_time()
@@ -136,6 +138,15 @@ def placed_drawing(
     outlines = [Outline(outer - corner, tuple(hole - corner for hole in inner)) for outer, *inner in traced]
     canvas = np.array([[0.0, 0.0], [rgba.shape[1], rgba.shape[0]]]) - corner
     return Drawing((replace(outlines[0], notes=tuple(notes)), *outlines[1:]), canvas), corner
+
+
+def _check_tracing(tracing: TracingOptions) -> None:
+    """InputError for what a picture cannot be traced with."""
+    for option in options_of(TracingOptions):
+        value = getattr(tracing, option.name)
+        if not option.least <= value <= option.most:
+            most = number_text(option.most)
+            raise InputError(f"The {option.name.replace('_', ' ')} must be between 0 and {most}.")
 
 
 def _holes_of(

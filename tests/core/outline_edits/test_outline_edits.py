@@ -194,6 +194,15 @@ def test_an_edit_whose_place_is_gone_is_named() -> None:
     assert result.drawing.size[1] == pytest.approx(changed.size[1] + 0.02, abs=2e-4)
 
 
+def test_another_hole_than_the_one_that_was_filled_stays() -> None:
+    edit = kept(PLATE, FILL, at(0.18, 0.1))
+    assert apply_edits(PLATE, [edit]).drawing.largest.holes == ()
+    elsewhere = Drawing((replace(BARE.largest, holes=(hole(0.03, 0.06, 0.1),)),))
+    result = apply_edits(elsewhere, [edit])
+    assert len(result.drawing.largest.holes) == 1
+    assert "does not pass there any more" in result.left_out[0]
+
+
 def test_an_edit_that_would_cross_on_the_changed_picture_is_left_out() -> None:
     edit = kept(PLATE, MOVE, at(0.3, 0.2), at(0.2, 0.15))
     wide = Drawing((replace(PLATE.largest, holes=(hole(0.07, 0.15, 0.1),)),))
