@@ -9,6 +9,7 @@ target=build/gltf-tools
 cmp -s tools/gltf/package-lock.json "$target/made-from" && exit 0
 # other packages of Node.js bring npm with them, and do not go with Debian's
 command -v npm >/dev/null || tools/install-debian-packages.sh debian-packages-gltf.txt || true
+rm -rf "$target"
 mkdir -p "$target"
 cp tools/gltf/package.json tools/gltf/package-lock.json tools/gltf/.npmrc "$target"
 if npm ci --prefix "$target" --silent; then
