@@ -168,7 +168,7 @@ def _cells_cut_off(table):
         if table.isColumnHidden(column):
             continue
         heading = table.horizontalHeaderItem(column)
-        cells = [heading] if heading is not None else []
+        cells = [heading] if heading is not None and heading.toolTip() != heading.text() else []
         cells += filter(None, (table.item(row, column) for row in range(table.rowCount())))
         for cell in cells:
             needs = table.fontMetrics().horizontalAdvance(cell.text())

@@ -7,7 +7,7 @@ import re
 from collections.abc import Sequence
 
 from BalloonWorkbench.core.units import number_text
-from BalloonWorkbench.gui.qt import QtWidgets, translate
+from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 
 _LOWEST = 150  # px
 _DIGITS = 4  # of a number
@@ -25,6 +25,7 @@ class StudyRows(QtWidgets.QTableWidget):
         self.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
         self.horizontalHeader().setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
         self.horizontalHeader().setStretchLastSection(True)
+        self.horizontalHeader().setTextElideMode(QtCore.Qt.ElideRight)
         self.setToolTip(translate("Double-click a row to see its balloon"))
 
     def show_rows(
@@ -37,6 +38,8 @@ class StudyRows(QtWidgets.QTableWidget):
         """Show rows by their numbers, with the values of inputs and results, whose headings are given."""
         self.setColumnCount(len(inputs) + len(results))
         self.setHorizontalHeaderLabels([*inputs, *results])
+        for column, heading in enumerate((*inputs, *results)):
+            self.horizontalHeaderItem(column).setToolTip(heading)
         self.setRowCount(len(rows))
         self.setVerticalHeaderLabels(list(map(str, rows)))
         for place, (number, values) in enumerate(rows.items()):
