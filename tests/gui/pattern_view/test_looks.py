@@ -110,6 +110,12 @@ def test_many_panels_have_print_and_results(doc, quarters):
     hues = [colour(tab, middle_of(tab, number) + 0.01) for number in range(6)]
     for hue in hues:
         assert np.abs(np.array(FOUR) - hue).sum(axis=1).min() < 60
+    assert tab.view.pieces.pieces[0].name == "bottom"  # seen from outside it has all of the picture
+    for rgb, x, y in zip(FOUR, (-0.05, 0.05, -0.05, 0.05), (0.03, 0.03, -0.03, -0.03)):
+        assert np.abs(colour(tab, middle_of(tab, 0) + np.array([x, y])) - rgb).sum() < 60
+    for x, y in ((-0.003, 0.003), (0.003, 0.003), (-0.003, -0.003), (0.003, -0.003)):  # they meet amid it
+        rgb = FOUR[(x > 0) + 2 * (y < 0)]
+        assert np.abs(colour(tab, middle_of(tab, 0) + np.array([x, y])) - rgb).sum() < 60
     hands.screenshot("pattern-view-print-of-many")
     choose(tab, colour_map.WRINKLES)
     scale = colour_map.colours(np.linspace(0.0, 1.0, 200)).astype(int)
