@@ -240,6 +240,10 @@
         <translation>Wie das untere und das obere Ende geschlossen sind</translation>
     </message>
     <message>
+        <source>How large each was then [mm]</source>
+        <translation>Wie groß jedes dann war [mm]</translation>
+    </message>
+    <message>
         <source>How many balloons are cut from the sheet</source>
         <translation>Wie viele Ballons aus dem Bogen geschnitten werden</translation>
     </message>
@@ -274,6 +278,10 @@
     <message>
         <source>How the lower end is closed</source>
         <translation>Wie das untere Ende geschlossen ist</translation>
+    </message>
+    <message>
+        <source>How the outline was edited by hand: nodes moved, added and removed, one JSON text each</source>
+        <translation>Wie der Umriss von Hand bearbeitet wurde: Knoten verschoben, hinzugefügt und entfernt, je ein JSON-Text</translation>
     </message>
     <message>
         <source>How the seams were changed: panels merged, seams cut and moved, one JSON text each</source>
@@ -422,6 +430,10 @@
     <message>
         <source>Names of the panels and other pieces</source>
         <translation>Namen der Bahnen und anderen Stücke</translation>
+    </message>
+    <message>
+        <source>Names of the pieces that have been arranged</source>
+        <translation>Namen der Stücke, die angeordnet wurden</translation>
     </message>
     <message>
         <source>Notches to lay both films on each other by, evenly along the cut; of many panels, groups of them on each seam, 0 as many as its length needs</source>
@@ -924,6 +936,10 @@
         <translation>Wo er gesucht wird: am weitesten von der Mitte, oder unten, wo ein angebundener Ballon gerade hängt</translation>
     </message>
     <message>
+        <source>Where the middle of each lies, turned and mirrored</source>
+        <translation>Wo die Mitte von jedem liegt, gedreht und gespiegelt</translation>
+    </message>
+    <message>
         <source>Where the profile comes from without a sketch: a file, or the shape of a balloon without weight</source>
         <translation>Woher das Profil ohne Skizze kommt: aus einer Datei oder als Form eines Ballons ohne Gewicht</translation>
     </message>
@@ -1299,8 +1315,20 @@
         <translation>„{0}“ wird von FreeCAD gelesen, das nicht da ist: es für das Python installieren, das dies ausführt, oder den Volumenkörper als STL geben.</translation>
     </message>
     <message>
+        <source>'{}' has {} x {} pixels, more than {} million. Make it smaller; 2000 across are plenty.</source>
+        <translation>„{}“ hat {} x {} Pixel, mehr als {} Millionen. Verkleinern; 2000 Pixel Breite sind reichlich.</translation>
+    </message>
+    <message>
+        <source>'{}' is not a drawing of lines.</source>
+        <translation>„{}“ ist keine Zeichnung aus Linien.</translation>
+    </message>
+    <message>
         <source>'{}' is not a picture. Save it as PNG, JPEG or BMP once more.</source>
         <translation>„{}“ ist kein Bild. Noch einmal als PNG, JPEG oder BMP speichern.</translation>
+    </message>
+    <message>
+        <source>'{}' was painted with a newer release: update Film Balloon.</source>
+        <translation>„{}“ wurde mit einer neueren Fassung gemalt: Film Balloon aktualisieren.</translation>
     </message>
     <message>
         <source>, about {0}</source>
@@ -1419,8 +1447,8 @@
         <translation>Eine Datei mit diesem Namen gibt es schon</translation>
     </message>
     <message>
-        <source>A film of this name is there already</source>
-        <translation>Eine Folie dieses Namens gibt es schon</translation>
+        <source>A film of this name is there already: else it gets the mean of all</source>
+        <translation>Eine Folie dieses Namens gibt es schon: sonst bekommt sie das Mittel aller Fotos</translation>
     </message>
     <message>
         <source>A film of your own beside the balloon's, with what was found; it changes no pattern</source>
@@ -1505,6 +1533,10 @@
     <message>
         <source>A new Sketcher sketch of lines and arcs, to go on with in FreeCAD</source>
         <translation>Eine neue Skizze aus Linien und Bögen, zum Weiterarbeiten in FreeCAD</translation>
+    </message>
+    <message>
+        <source>A node that moves needs a place to move to; nothing else does.</source>
+        <translation>Ein Knoten, der verschoben wird, braucht einen Zielort; alles andere hat keinen.</translation>
     </message>
     <message>
         <source>A number of an intake is empty.</source>
@@ -1639,6 +1671,10 @@
         <translation>Ein Werkzeug gehört zu einer Maschine, die G-Code liest: --machine gcode-grbl oder eine andere angeben.</translation>
     </message>
     <message>
+        <source>A tool that an axis turns does not swivel behind it: set knife_offset_mm to 0, or leave turning_axis out.</source>
+        <translation>Ein Werkzeug, das eine Achse dreht, schleppt nicht hinter ihr her: knife_offset_mm auf 0 setzen oder turning_axis weglassen.</translation>
+    </message>
+    <message>
         <source>A volume of {0} cannot be made: give one such as 10l.</source>
         <translation>Ein Volumen von {0} ist nicht möglich: zum Beispiel 10l angeben.</translation>
     </message>
@@ -1767,6 +1803,14 @@
         <translation>Ein Füllhals von {0} reicht nicht über den Schnitt hinaus: mindestens {1} geben.</translation>
     </message>
     <message>
+        <source>An outline cannot be edited by "{0}": choose one of {1}.</source>
+        <translation>Ein Umriss kann nicht mit „{0}“ bearbeitet werden: eines von {1} wählen.</translation>
+    </message>
+    <message>
+        <source>An outline keeps three nodes: move them instead.</source>
+        <translation>Ein Umriss behält drei Knoten: sie stattdessen verschieben.</translation>
+    </message>
+    <message>
         <source>Angle</source>
         <translation>Winkel</translation>
     </message>
@@ -1781,6 +1825,14 @@
     <message>
         <source>Any</source>
         <translation>Beliebig</translation>
+    </message>
+    <message>
+        <source>Any colour</source>
+        <translation>Beliebige Farbe</translation>
+    </message>
+    <message>
+        <source>Any colour (K)</source>
+        <translation>Beliebige Farbe (K)</translation>
     </message>
     <message>
         <source>Any program (DXF)</source>
@@ -1857,6 +1909,10 @@
     <message>
         <source>Automatic</source>
         <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
     </message>
     <message>
         <source>Back</source>
@@ -1973,6 +2029,10 @@
     <message>
         <source>Both panels are on the sheet: only the front one gets the hole of the nozzle. Cut it once.</source>
         <translation>Beide Bahnen liegen auf dem Bogen: Nur die vordere bekommt das Loch für den Stutzen. Es einmal schneiden.</translation>
+    </message>
+    <message>
+        <source>Both sides</source>
+        <translation>Beide Seiten</translation>
     </message>
     <message>
         <source>Both sides of a seam must be equally long</source>
@@ -2111,12 +2171,20 @@
         <translation>Die Schnittmuster wählen, die ausgelegt werden.</translation>
     </message>
     <message>
+        <source>Circle</source>
+        <translation>Kreis</translation>
+    </message>
+    <message>
         <source>Click a seam: its panels become one. Esc: done.</source>
         <translation>Eine Naht anklicken: Ihre Bahnen werden eine. Esc: fertig.</translation>
     </message>
     <message>
         <source>Click a seam: the panels beside it become one</source>
         <translation>Eine Naht anklicken: Die Bahnen neben ihr werden eine</translation>
+    </message>
+    <message>
+        <source>Click an edge to see what it is sealed to, drag a piece to move it.</source>
+        <translation>Klicken Sie auf eine Kante: Es wird gezeigt, womit sie verschweißt wird; ziehen Sie ein Stück, um es zu verschieben.</translation>
     </message>
     <message>
         <source>Click an edge to see what it is sealed to.</source>
@@ -2131,6 +2199,14 @@
         <translation>Klicken Sie auf beide Enden eines Lineals im Bild oder einer anderen bekannten Länge</translation>
     </message>
     <message>
+        <source>Click on the paper, then type</source>
+        <translation>Auf das Papier klicken, dann tippen</translation>
+    </message>
+    <message>
+        <source>Click the line for a new node; drag nodes; Delete removes them; S: sharp or round.</source>
+        <translation>Ein Klick auf die Linie macht einen Knoten; Knoten ziehen; Entf entfernt sie; S: spitz oder rund.</translation>
+    </message>
+    <message>
         <source>Click to see it larger</source>
         <translation>Klicken, um es größer zu sehen</translation>
     </message>
@@ -2141,6 +2217,10 @@
     <message>
         <source>Click two points to measure between them.</source>
         <translation>Klicken Sie auf zwei Punkte, um dazwischen zu messen.</translation>
+    </message>
+    <message>
+        <source>Click where it shall stand and type; pull it, or its corner. Enter paints it, Esc drops it.</source>
+        <translation>Klicken, wo der Text stehen soll, und tippen; ihn oder seine Ecke ziehen. Eingabe malt ihn, Esc verwirft ihn.</translation>
     </message>
     <message>
         <source>Click where the new seam begins. Esc: done.</source>
@@ -2159,8 +2239,16 @@
         <translation>Zuerst das offene Aufgabenfenster schließen.</translation>
     </message>
     <message>
+        <source>Cloud</source>
+        <translation>Wolke</translation>
+    </message>
+    <message>
         <source>Colour map</source>
         <translation>Farbkarte</translation>
+    </message>
+    <message>
+        <source>Colour {}</source>
+        <translation>Farbe {}</translation>
     </message>
     <message>
         <source>Columns from the left: {0}</source>
@@ -2195,6 +2283,10 @@
         <translation>Kopieren</translation>
     </message>
     <message>
+        <source>Copy (Ctrl+C)</source>
+        <translation>Kopieren (Strg+C)</translation>
+    </message>
+    <message>
         <source>Corner relief</source>
         <translation>Eckenfreistich</translation>
     </message>
@@ -2217,6 +2309,10 @@
     <message>
         <source>Cut</source>
         <translation>Schneiden</translation>
+    </message>
+    <message>
+        <source>Cut (Ctrl+X)</source>
+        <translation>Ausschneiden (Strg+X)</translation>
     </message>
     <message>
         <source>Cut all panels from {film}, as they are drawn: so they are seen from outside, with the sealing side below.</source>
@@ -2267,6 +2363,10 @@
         <translation>DXF-Dateien brauchen das Python-Paket ezdxf. Mit „pip install ezdxf“ installieren oder die Zeichnung als SVG speichern.</translation>
     </message>
     <message>
+        <source>Decoration</source>
+        <translation>Verzierung</translation>
+    </message>
+    <message>
         <source>Delete</source>
         <translation>Löschen</translation>
     </message>
@@ -2313,6 +2413,10 @@
     <message>
         <source>Done</source>
         <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Done (Esc)</source>
+        <translation>Fertig (Esc)</translation>
     </message>
     <message>
         <source>Dots per inch</source>
@@ -2375,6 +2479,10 @@
         <translation>Gezeichnet als</translation>
     </message>
     <message>
+        <source>Drop</source>
+        <translation>Tropfen</translation>
+    </message>
+    <message>
         <source>Dwell</source>
         <translation>Wartezeit</translation>
     </message>
@@ -2405,6 +2513,14 @@
     <message>
         <source>Edit film</source>
         <translation>Folienbogen bearbeiten</translation>
+    </message>
+    <message>
+        <source>Edit outline</source>
+        <translation>Umriss bearbeiten</translation>
+    </message>
+    <message>
+        <source>Edit outline ...</source>
+        <translation>Umriss bearbeiten ...</translation>
     </message>
     <message>
         <source>Edit study</source>
@@ -2651,8 +2767,16 @@
         <translation>Das Schnittmuster wird angepasst</translation>
     </message>
     <message>
+        <source>Flat pieces</source>
+        <translation>Flache Stücke</translation>
+    </message>
+    <message>
         <source>Flattening needs scipy: install it with pip install scipy.</source>
         <translation>Das Abwickeln braucht scipy: mit pip install scipy installieren.</translation>
+    </message>
+    <message>
+        <source>Flower</source>
+        <translation>Blume</translation>
     </message>
     <message>
         <source>Folder</source>
@@ -2671,6 +2795,14 @@
         <translation>Folgt dem Körper</translation>
     </message>
     <message>
+        <source>Font</source>
+        <translation>Schrift</translation>
+    </message>
+    <message>
+        <source>For Send to Silhouette of inkscape-silhouette. It looks for four marks, which lie on the layer Regmarks, are not cut, 10 mm from the edges of A4 and 190 and 277 mm apart: give that there, and four marks. Nothing is cut outside them. For other paper change page_mm in a copy.</source>
+        <translation>Für Send to Silhouette von inkscape-silhouette. Es sucht vier Marken, die auf der Ebene Regmarks liegen, nicht geschnitten werden, 10 mm von den Rändern von A4 und 190 und 277 mm auseinander: geben Sie das dort ein, und vier Marken. Außerhalb davon wird nichts geschnitten. Für anderes Papier ändern Sie page_mm in einer Kopie.</translation>
+    </message>
+    <message>
         <source>For Send to Silhouette of inkscape-silhouette. The marks of a print lie on the layer Regmarks, which is not cut, 10 mm from the edges of A4 and 190 and 277 mm apart: give that there. Nothing is cut outside them. For other paper change page_mm in a copy.</source>
         <translation>Für Send to Silhouette von inkscape-silhouette. Die Marken eines Drucks liegen auf der Ebene Regmarks, die nicht geschnitten wird, 10 mm von den Rändern von A4 und 190 und 277 mm auseinander: geben Sie das dort ein. Außerhalb davon wird nichts geschnitten. Für anderes Papier ändern Sie page_mm in einer Kopie.</translation>
     </message>
@@ -2685,6 +2817,10 @@
     <message>
         <source>Forced</source>
         <translation>Erzwungen</translation>
+    </message>
+    <message>
+        <source>Forget earlier photographs</source>
+        <translation>Frühere Fotos vergessen</translation>
     </message>
     <message>
         <source>Form</source>
@@ -2741,6 +2877,10 @@
     <message>
         <source>G-code, and no other format, has a tool: give both or none.</source>
         <translation>G-Code, und kein anderes Format, hat ein Werkzeug: beides oder keines angeben.</translation>
+    </message>
+    <message>
+        <source>GRBL knows X, Y and Z only: leave turning_axis out, or take LinuxCNC or Marlin where an axis turns the tool.</source>
+        <translation>GRBL kennt nur X, Y und Z: turning_axis weglassen, oder LinuxCNC oder Marlin nehmen, wo eine Achse das Werkzeug dreht.</translation>
     </message>
     <message>
         <source>GRBL machine (G-code)</source>
@@ -2861,6 +3001,10 @@
     <message>
         <source>Half the outline and its axis; a copy of it travels in the document</source>
         <translation>Der halbe Umriss und seine Achse; eine Kopie davon reist im Dokument mit</translation>
+    </message>
+    <message>
+        <source>Heart</source>
+        <translation>Herz</translation>
     </message>
     <message>
         <source>Heart from a spreadsheet</source>
@@ -3139,6 +3283,10 @@
         <translation>Die Bahnen entlang der Linien im Inneren des Ballons verbinden.</translation>
     </message>
     <message>
+        <source>Joined</source>
+        <translation>Verbunden</translation>
+    </message>
+    <message>
         <source>Keep it</source>
         <translation>Behalten</translation>
     </message>
@@ -3231,6 +3379,10 @@
         <translation>Auslegen</translation>
     </message>
     <message>
+        <source>Lay out anew</source>
+        <translation>Neu auslegen</translation>
+    </message>
+    <message>
         <source>Lay out on film</source>
         <translation>Auf Folie auslegen</translation>
     </message>
@@ -3299,6 +3451,10 @@
         <translation>Benötigte Länge der üblichen Rolle</translation>
     </message>
     <message>
+        <source>Let all pieces lie as the pattern lays them</source>
+        <translation>Alle Stücke so legen, wie das Schnittmuster sie legt</translation>
+    </message>
+    <message>
         <source>Letter</source>
         <translation>Buchstabe</translation>
     </message>
@@ -3309,6 +3465,10 @@
     <message>
         <source>Letter with a side band</source>
         <translation>Buchstabe mit Seitenband</translation>
+    </message>
+    <message>
+        <source>Letters on a ground that makes one balloon of them</source>
+        <translation>Buchstaben auf einem Grund, der aus ihnen einen Ballon macht</translation>
     </message>
     <message>
         <source>Letters, digits, spaces and - only</source>
@@ -3365,10 +3525,6 @@
     <message>
         <source>Look for the closest layout; Esc takes the best one so far</source>
         <translation>Die dichteste Anordnung suchen; Esc nimmt die bisher beste</translation>
-    </message>
-    <message>
-        <source>Looking at the picture</source>
-        <translation>Das Bild wird angesehen</translation>
     </message>
     <message>
         <source>Loose ends of lines were joined to the drawing.</source>
@@ -3503,6 +3659,10 @@
         <translation>Spiegeln</translation>
     </message>
     <message>
+        <source>Mirror piece</source>
+        <translation>Stück spiegeln</translation>
+    </message>
+    <message>
         <source>Mode</source>
         <translation>Modus</translation>
     </message>
@@ -3515,12 +3675,24 @@
         <translation>Mehr Segmente helfen kaum: das Profil ändern.</translation>
     </message>
     <message>
+        <source>More: text, stamps, layers, symmetry, any colour (Q)</source>
+        <translation>Mehr: Text, Stempel, Ebenen, Symmetrie, beliebige Farbe (Q)</translation>
+    </message>
+    <message>
         <source>Move</source>
         <translation>Verschieben</translation>
     </message>
     <message>
+        <source>Move piece</source>
+        <translation>Stück verschieben</translation>
+    </message>
+    <message>
         <source>Move the pointer to bend the line, then click. Esc drops it.</source>
         <translation>Zum Biegen den Zeiger bewegen, dann klicken. Esc verwirft die Linie.</translation>
+    </message>
+    <message>
+        <source>Move, add and remove nodes of the outline in a tab, over the picture</source>
+        <translation>Knoten des Umrisses verschieben, hinzufügen und entfernen, in einem Reiter über dem Bild</translation>
     </message>
     <message>
         <source>My machines</source>
@@ -3603,8 +3775,16 @@
         <translation>Neuer Körper aus Segmenten</translation>
     </message>
     <message>
+        <source>New, laid beside the others: {}.</source>
+        <translation>Neu, neben die anderen gelegt: {}.</translation>
+    </message>
+    <message>
         <source>Newmark</source>
         <translation>Newmark</translation>
+    </message>
+    <message>
+        <source>No axis turns a {0}: leave {1} out.</source>
+        <translation>Keine Achse dreht dieses Werkzeug ({0}): {1} weglassen.</translation>
     </message>
     <message>
         <source>No balloon came within {0} of the body's diagonal: tried were {1} panels. This is the nearest one, {2}. Ask for less, or divide the body yourself where the film stays far from it.</source>
@@ -3633,6 +3813,10 @@
     <message>
         <source>No limit</source>
         <translation>Keine Grenze</translation>
+    </message>
+    <message>
+        <source>No longer in the pattern, with their places: {}.</source>
+        <translation>Nicht mehr im Schnittmuster, mit ihren Plätzen: {}.</translation>
     </message>
     <message>
         <source>No number of panels up to {} comes so near. {} panels: about {} off</source>
@@ -3827,6 +4011,10 @@
         <translation>Von einer Karte wird ein Feld behalten: Geben Sie --keep B3 oder ein anderes an, und --name.</translation>
     </message>
     <message>
+        <source>Of a symmetric outline the other side is edited, too</source>
+        <translation>Bei einem symmetrischen Umriss wird auch die andere Seite bearbeitet</translation>
+    </message>
+    <message>
         <source>Of the bodies of the mesh only the largest is made; all in all there are: {0}.</source>
         <translation>Von den Körpern des Netzes wird nur der größte gemacht; insgesamt sind es: {0}.</translation>
     </message>
@@ -3837,6 +4025,10 @@
     <message>
         <source>Of the tip or wheel, 40 to 400 °C. Above 260 °C a layer of PTFE gives off poisonous fumes</source>
         <translation>Der Spitze oder des Rads, 40 bis 400 °C. Über 260 °C gibt eine Schicht PTFE giftige Dämpfe ab</translation>
+    </message>
+    <message>
+        <source>Of {0}: sheet {1}.</source>
+        <translation>Aus {0}: Bogen {1}.</translation>
     </message>
     <message>
         <source>Off</source>
@@ -3967,6 +4159,30 @@
         <translation>Umriss</translation>
     </message>
     <message>
+        <source>Outline edit {0} at {1} is left out. {2}</source>
+        <translation>Bearbeitung {0} des Umrisses bei {1} entfällt. {2}</translation>
+    </message>
+    <message>
+        <source>Outline edit {0} does none of {1}. {2}</source>
+        <translation>Bearbeitung {0} des Umrisses tut keines von {1}. {2}</translation>
+    </message>
+    <message>
+        <source>Outline edit {0} has an 'at' that does not fit. {1}</source>
+        <translation>Bearbeitung {0} des Umrisses hat ein 'at', das nicht passt. {1}</translation>
+    </message>
+    <message>
+        <source>Outline edit {0} has an unknown '{1}'. Use {2}.</source>
+        <translation>Bearbeitung {0} des Umrisses hat ein unbekanntes „{1}“. {2} benutzen.</translation>
+    </message>
+    <message>
+        <source>Outline edit {0} has no place [x, y] as its 'to', or one too many. {1}</source>
+        <translation>Bearbeitung {0} des Umrisses hat keinen Ort [x, y] als 'to', oder einen zu viel. {1}</translation>
+    </message>
+    <message>
+        <source>Outline edit {0}: 'mirrored' is true or false.</source>
+        <translation>Bearbeitung {0} des Umrisses: 'mirrored' ist true oder false.</translation>
+    </message>
+    <message>
         <source>Outline {}</source>
         <translation>Umriss {}</translation>
     </message>
@@ -3999,6 +4215,10 @@
         <translation>Einen Ballon malen</translation>
     </message>
     <message>
+        <source>Paint a shape first: the decoration is seen on it alone.</source>
+        <translation>Zuerst eine Form malen: Nur auf ihr ist die Verzierung zu sehen.</translation>
+    </message>
+    <message>
         <source>Paint both sides at once, mirrored (M)</source>
         <translation>Beide Seiten zugleich malen, gespiegelt (M)</translation>
     </message>
@@ -4007,8 +4227,20 @@
         <translation>Breite, weiche Striche malen: Was gemalt ist, wird ein Ballon.</translation>
     </message>
     <message>
+        <source>Paint so many times around a centre ( , fewer, . more)</source>
+        <translation>So oft um eine Mitte malen ( , weniger, . mehr)</translation>
+    </message>
+    <message>
         <source>Paint something first: a closed line is enough.</source>
         <translation>Zuerst etwas malen: Eine geschlossene Linie genügt.</translation>
+    </message>
+    <message>
+        <source>Paint what becomes the outline (D)</source>
+        <translation>Malen, was zum Umriss wird (D)</translation>
+    </message>
+    <message>
+        <source>Paint what is printed on the film and leaves the outline as it is (D)</source>
+        <translation>Malen, was auf die Folie gedruckt wird und den Umriss lässt, wie er ist (D)</translation>
     </message>
     <message>
         <source>Painted balloon</source>
@@ -4139,6 +4371,10 @@
         <translation>Teile des Ballons können sich zur einen oder anderen Seite neigen: der aufgeblasene Umriss liegt {0} bis {1} neben der Zeichnung. Eine andere Breite des Seitenbands kann sie halten.</translation>
     </message>
     <message>
+        <source>Paste (Ctrl+V)</source>
+        <translation>Einfügen (Strg+V)</translation>
+    </message>
+    <message>
         <source>Pattern</source>
         <translation>Schnittmuster</translation>
     </message>
@@ -4249,6 +4485,10 @@
     <message>
         <source>Pieces: {}, on {}, {} used</source>
         <translation>Stücke: {}, auf {}, {} genutzt</translation>
+    </message>
+    <message>
+        <source>Pipette</source>
+        <translation>Pipette</translation>
     </message>
     <message>
         <source>Pixels</source>
@@ -4363,12 +4603,20 @@
         <translation>Druck: {0}</translation>
     </message>
     <message>
+        <source>Print</source>
+        <translation>Drucken</translation>
+    </message>
+    <message>
         <source>Print at 100 % ("actual size"). The bar below must be 100 mm long.</source>
         <translation>Mit 100 % drucken („tatsächliche Größe“). Der Balken unten muss 100 mm lang sein.</translation>
     </message>
     <message>
         <source>Print shop (PDF with CutContour)</source>
         <translation>Druckerei (PDF mit CutContour)</translation>
+    </message>
+    <message>
+        <source>Print the pieces</source>
+        <translation>Die Stücke drucken</translation>
     </message>
     <message>
         <source>Print {0} at {1} dpi, all panels</source>
@@ -4385,6 +4633,22 @@
     <message>
         <source>Pull a line; then move the pointer to bend it, and click. A right click keeps it straight.</source>
         <translation>Eine Linie ziehen; dann den Zeiger bewegen, um sie zu biegen, und klicken. Ein Rechtsklick lässt sie gerade.</translation>
+    </message>
+    <message>
+        <source>Pull a rectangle to copy (Ctrl+C) or cut (Ctrl+X); without one that is all. Ctrl+V pastes.</source>
+        <translation>Ein Rechteck ziehen, um es zu kopieren (Strg+C) oder auszuschneiden (Strg+X); ohne Rechteck gilt das für alles. Strg+V fügt ein.</translation>
+    </message>
+    <message>
+        <source>Pull a shape to its size, up or down to turn it; Shift keeps it upright.</source>
+        <translation>Eine Form auf ihre Größe ziehen, nach oben oder unten, um sie zu drehen; mit Umschalt bleibt sie aufrecht.</translation>
+    </message>
+    <message>
+        <source>Pull it to its place. Enter paints it, Esc drops it.</source>
+        <translation>An seinen Platz ziehen. Eingabe malt es, Esc verwirft es.</translation>
+    </message>
+    <message>
+        <source>Pull the centre of the symmetry to its place, and turn its axis by the ring</source>
+        <translation>Die Mitte der Symmetrie an ihren Platz ziehen und ihre Achse am Ring drehen</translation>
     </message>
     <message>
         <source>Pull the paper. The middle button, or the space bar, does it with every tool; the wheel zooms.</source>
@@ -4443,8 +4707,16 @@
         <translation>Wahre Größe, zum Ausschneiden von Hand. Mit 100 % drucken und den Kontrollbalken nachmessen.</translation>
     </message>
     <message>
+        <source>Rectangle</source>
+        <translation>Rechteck</translation>
+    </message>
+    <message>
         <source>Red</source>
         <translation>Rot</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederherstellen</translation>
     </message>
     <message>
         <source>Redo (Ctrl+Y)</source>
@@ -4459,16 +4731,16 @@
         <translation>Reststücke</translation>
     </message>
     <message>
+        <source>Remove (Del)</source>
+        <translation>Entfernen (Entf)</translation>
+    </message>
+    <message>
         <source>Repair</source>
         <translation>Reparieren</translation>
     </message>
     <message>
         <source>Repair {0} cannot be read: delete it from Repairs.</source>
         <translation>Reparatur {0} ist nicht lesbar: sie aus „Repairs“ löschen.</translation>
-    </message>
-    <message>
-        <source>Replace it</source>
-        <translation>Ersetzen</translation>
     </message>
     <message>
         <source>Replace the file</source>
@@ -4823,6 +5095,10 @@
         <translation>Zweite Bahn, gespiegelt</translation>
     </message>
     <message>
+        <source>Select</source>
+        <translation>Auswahl</translation>
+    </message>
+    <message>
         <source>Select a sketch of half the outline, or choose where the profile comes from.</source>
         <translation>Eine Skizze des halben Umrisses wählen, oder woher das Profil kommt.</translation>
     </message>
@@ -4833,6 +5109,10 @@
     <message>
         <source>Select a solid or a mesh, or choose a file.</source>
         <translation>Einen Volumenkörper oder ein Netz wählen, oder eine Datei nehmen.</translation>
+    </message>
+    <message>
+        <source>Select all (Ctrl+A)</source>
+        <translation>Alles auswählen (Strg+A)</translation>
     </message>
     <message>
         <source>Select another</source>
@@ -4871,6 +5151,10 @@
         <translation>Schatten auf dem Hintergrund wurden entfernt.</translation>
     </message>
     <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
         <source>Shape that stays flat</source>
         <translation>Form, die flach bleibt</translation>
     </message>
@@ -4883,12 +5167,20 @@
         <translation>Anteil der vollen Leistung des Lasers; leer: noch nicht bekannt</translation>
     </message>
     <message>
+        <source>Sharp or round (S)</source>
+        <translation>Spitz oder rund (S)</translation>
+    </message>
+    <message>
         <source>Sheet length</source>
         <translation>Bogenlänge</translation>
     </message>
     <message>
         <source>Sheet {} of {}</source>
         <translation>Bogen {} von {}</translation>
+    </message>
+    <message>
+        <source>Show all (0)</source>
+        <translation>Alles zeigen (0)</translation>
     </message>
     <message>
         <source>Show all pieces (0)</source>
@@ -4901,6 +5193,10 @@
     <message>
         <source>Show the whole paper (0)</source>
         <translation>Das ganze Papier zeigen (0)</translation>
+    </message>
+    <message>
+        <source>Shown on the pieces</source>
+        <translation>Gezeigt auf den Stücken</translation>
     </message>
     <message>
         <source>Shown sheet</source>
@@ -4925,6 +5221,10 @@
     <message>
         <source>Side {0} of seam {1} runs the wrong way at {2}, which would seal the outside of the film to its inside, as in a Moebius strip: it goes {3} its loop. Swap the two points of {4}.</source>
         <translation>Die Seite {0} der Naht {1} läuft bei {2} falsch herum, was die Außenseite der Folie mit ihrer Innenseite verschweißen würde, wie bei einem Möbiusband: sie geht {3} ihres Rands. Die zwei Punkte von {4} vertauschen.</translation>
+    </message>
+    <message>
+        <source>Silhouette Cameo 5 Alpha from Inkscape</source>
+        <translation>Silhouette Cameo 5 Alpha aus Inkscape</translation>
     </message>
     <message>
         <source>Silhouette Studio (vinyl cutter)</source>
@@ -5009,6 +5309,14 @@
     <message>
         <source>Spot in 16 panels</source>
         <translation>Kuh Spot aus 16 Bahnen</translation>
+    </message>
+    <message>
+        <source>Stamp</source>
+        <translation>Stempel</translation>
+    </message>
+    <message>
+        <source>Star</source>
+        <translation>Stern</translation>
     </message>
     <message>
         <source>Start values for welding: {0} ({1}).</source>
@@ -5115,6 +5423,10 @@
         <translation>An eine Bahn geheftet</translation>
     </message>
     <message>
+        <source>Take a colour from the painting, or the picture under it</source>
+        <translation>Eine Farbe aus dem Gemalten nehmen, oder aus dem Bild darunter</translation>
+    </message>
+    <message>
         <source>Take a tool to change the seams, or choose one and press Delete to merge.</source>
         <translation>Ein Werkzeug nehmen, um die Nähte zu ändern, oder eine wählen und mit Entf ihre Bahnen vereinen.</translation>
     </message>
@@ -5203,6 +5515,10 @@
         <translation>Testkarten</translation>
     </message>
     <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
         <source>That of the front</source>
         <translation>Das der Vorderseite</translation>
     </message>
@@ -5217,6 +5533,10 @@
     <message>
         <source>That would take {0} pages: choose larger paper or a smaller balloon.</source>
         <translation>Das würden {0} Seiten: größeres Papier oder einen kleineren Ballon wählen.</translation>
+    </message>
+    <message>
+        <source>The "as_made" of the film {0} cannot be read: delete it from the file.</source>
+        <translation>Das „as_made“ der Folie {0} ist nicht lesbar: es aus der Datei löschen.</translation>
     </message>
     <message>
         <source>The 'at' of seam {0} of the list is no list of places. {1}</source>
@@ -5285,6 +5605,10 @@
     <message>
         <source>The DXF file {0}; millimetres are assumed.</source>
         <translation>Die DXF-Datei {0}; Millimeter werden angenommen.</translation>
+    </message>
+    <message>
+        <source>The G-code turns the tool by {0}. FreeCAD takes that axis for one that turns the work: its 3D view shows the path turned.</source>
+        <translation>Der G-Code dreht das Werkzeug mit {0}. FreeCAD hält diese Achse für eine, die das Werkstück dreht: Seine 3D-Ansicht zeigt den Weg verdreht.</translation>
     </message>
     <message>
         <source>The JSON file cannot be read ({0}). {1}</source>
@@ -5389,6 +5713,10 @@
     <message>
         <source>The altitude {0} m is out of range: give one up to 11000 m.</source>
         <translation>Die Höhe {0} m ist außerhalb des Bereichs: bis 11000 m angeben.</translation>
+    </message>
+    <message>
+        <source>The axis that turns the wheel or knife along the path, 0 along X, counter-clockwise from above; none for one that swivels or is round</source>
+        <translation>Die Achse, die Rad oder Messer in die Richtung des Wegs dreht, 0 längs X, von oben gesehen gegen den Uhrzeigersinn; keine, wenn das Werkzeug sich von selbst dreht oder rund ist</translation>
     </message>
     <message>
         <source>The bag has no opening through which it is filled. Name the edge at which it stays open, such as edge 1 of panel '{0}', or make it without an intake.</source>
@@ -5509,6 +5837,10 @@
     <message>
         <source>The connection to {0} ended before the whole native solver had come. Try again. {1}</source>
         <translation>Die Verbindung zu {0} endete, bevor der ganze native Löser da war. Noch einmal versuchen. {1}</translation>
+    </message>
+    <message>
+        <source>The copied picture</source>
+        <translation>Das kopierte Bild</translation>
     </message>
     <message>
         <source>The cutter finds the four discs round a print itself. VersaWorks prints discs of its own: give it the PDF for print and cut instead. The layer REGISTRATION is not cut.</source>
@@ -5723,8 +6055,8 @@
         <translation>Der Ordner „{0}“ ist verschwunden: ihn zurückholen oder einen anderen wählen und die Studie noch einmal starten.</translation>
     </message>
     <message>
-        <source>The free edition opens DXF, not SVG. Choose "as is" for the size in the import preferences. Silhouette adds the knife's offset and overcut. Nothing is in the file that may not be cut. Studio draws registration marks itself, print them from there; or set page A4, inset 10 mm, length 8.4 mm and thickness 1 mm there and lay the file's marks on them, not to be cut: a print has the same. Nothing is cut outside them.</source>
-        <translation>Die kostenlose Ausgabe öffnet DXF, nicht SVG. Wählen Sie "wie es ist" für die Größe in den Importeinstellungen. Silhouette fügt Messerversatz und Überschnitt selbst hinzu. In der Datei ist nichts, was nicht geschnitten werden darf. Studio zeichnet Passermarken selbst, drucken Sie sie von dort; oder stellen Sie dort Seite A4, Abstand 10 mm, Länge 8,4 mm und Dicke 1 mm ein und legen Sie die Marken der Datei darauf, nicht zum Schneiden: ein Druck hat dieselben. Außerhalb davon wird nichts geschnitten.</translation>
+        <source>The free edition opens DXF, not SVG. Choose "as is" for the size in the import preferences. Silhouette adds the knife's offset and overcut. Nothing is in the file that may not be cut. Studio draws registration marks itself, print them from there; or set page A4, inset 10.01 mm, length 8.38 mm and thickness 0.99 mm there (0.394, 0.33 and 0.039 in) and lay the file's marks on them, not to be cut: a print has the same. Nothing is cut outside them.</source>
+        <translation>Die kostenlose Ausgabe öffnet DXF, nicht SVG. Wählen Sie "wie es ist" für die Größe in den Importeinstellungen. Silhouette fügt Messerversatz und Überschnitt selbst hinzu. In der Datei ist nichts, was nicht geschnitten werden darf. Studio zeichnet Passermarken selbst, drucken Sie sie von dort; oder stellen Sie dort Seite A4, Abstand 10,01 mm, Länge 8,38 mm und Dicke 0,99 mm ein (0,394, 0,33 und 0,039 Zoll) und legen Sie die Marken der Datei darauf, nicht zum Schneiden: ein Druck hat dieselben. Außerhalb davon wird nichts geschnitten.</translation>
     </message>
     <message>
         <source>The goal has {0} combinations to choose from, of which each is tried: list 1 to {1}.</source>
@@ -6011,6 +6343,10 @@
         <translation>Der Umriss kreuzt oder berührt sich und kann nicht gespiegelt werden; die Linien trennen.</translation>
     </message>
     <message>
+        <source>The outline does not pass there any more: delete the edit.</source>
+        <translation>Der Umriss läuft dort nicht mehr entlang: die Bearbeitung löschen.</translation>
+    </message>
+    <message>
         <source>The outline encloses no area; draw a closed shape with at least three corners.</source>
         <translation>Der Umriss umschließt keine Fläche; eine geschlossene Form mit mindestens drei Ecken zeichnen.</translation>
     </message>
@@ -6021,6 +6357,10 @@
     <message>
         <source>The outline has no straight upright side on its left, so its axis is missing. {0}</source>
         <translation>Der Umriss hat links keine gerade, aufrechte Seite, also fehlt seine Achse. {0}</translation>
+    </message>
+    <message>
+        <source>The outline runs another way there: delete the edit.</source>
+        <translation>Der Umriss läuft dort anders: die Bearbeitung löschen.</translation>
     </message>
     <message>
         <source>The outline's {0} of {1} cannot be made; bring it to a size between 1 mm and 100 m.</source>
@@ -6627,10 +6967,6 @@
         <translation>Möglich sind 1 bis {0} Stück, nicht {1}.</translation>
     </message>
     <message>
-        <source>There is a film {0} already: say that it may be replaced.</source>
-        <translation>Eine Folie {0} gibt es schon: sagen Sie, dass sie ersetzt werden darf.</translation>
-    </message>
-    <message>
         <source>There is a machine {0} already: give this one another name.</source>
         <translation>Eine Maschine {0} gibt es schon: geben Sie dieser einen anderen Namen.</translation>
     </message>
@@ -6671,6 +7007,14 @@
         <translation>Es gibt kein Gas „{0}“: eines von {1} wählen.</translation>
     </message>
     <message>
+        <source>There is no hole any more: delete the edit.</source>
+        <translation>Dort ist kein Loch mehr: die Bearbeitung löschen.</translation>
+    </message>
+    <message>
+        <source>There is no hole at {0}: give a place on its edge.</source>
+        <translation>Bei {0} ist kein Loch: eine Stelle auf seinem Rand angeben.</translation>
+    </message>
+    <message>
         <source>There is no intake "{0}": choose one of {1}.</source>
         <translation>Es gibt keinen Füllhals „{0}“: einen von {1} wählen.</translation>
     </message>
@@ -6699,6 +7043,10 @@
         <translation>Für diese Version kann noch kein nativer Löser heruntergeladen werden. {0}</translation>
     </message>
     <message>
+        <source>There is no node near {0}: add one there.</source>
+        <translation>Nahe {0} ist kein Knoten: dort einen hinzufügen.</translation>
+    </message>
+    <message>
         <source>There is no outline at {0} degrees from the centre: choose another intake angle.</source>
         <translation>Bei {0} Grad von der Mitte liegt kein Umriss: einen anderen Winkel für den Füllhals wählen.</translation>
     </message>
@@ -6713,6 +7061,10 @@
     <message>
         <source>There is no paper "{0}": choose A4, A3 or Letter.</source>
         <translation>Papier „{0}“ gibt es nicht: A4, A3 oder Letter wählen.</translation>
+    </message>
+    <message>
+        <source>There is no picture to paste: copy one first.</source>
+        <translation>Es gibt kein Bild zum Einfügen: zuerst eines kopieren.</translation>
     </message>
     <message>
         <source>There is no picture to print: choose one, as the balloon has none of its own.</source>
@@ -6765,6 +7117,10 @@
     <message>
         <source>There is no symmetry "{0}": choose one of {1}.</source>
         <translation>Es gibt keine Symmetrie „{0}“: eine von {1} wählen.</translation>
+    </message>
+    <message>
+        <source>There is nothing to copy: paint something, or select it.</source>
+        <translation>Es gibt nichts zu kopieren: etwas malen oder auswählen.</translation>
     </message>
     <message>
         <source>There is too little memory for this: take a coarser mesh, or close other programs.</source>
@@ -6987,6 +7343,14 @@
         <translation>Temperatur und Zeit an zwei Reststücken ausprobieren: Die Naht muss sich dehnen oder reißen, bevor sie aufgeht.</translation>
     </message>
     <message>
+        <source>Turn piece</source>
+        <translation>Stück drehen</translation>
+    </message>
+    <message>
+        <source>Turning axis</source>
+        <translation>Drehachse</translation>
+    </message>
+    <message>
         <source>Turns</source>
         <translation>Wendet sich</translation>
     </message>
@@ -7035,6 +7399,10 @@
         <translation>Zwei Stellen für einen Schnitt eingeben, etwa 10 0 50; 10 20 50, oder eine Naht wählen und eine eingeben.</translation>
     </message>
     <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
         <source>Undo (Ctrl+Z)</source>
         <translation>Rückgängig (Strg+Z)</translation>
     </message>
@@ -7055,8 +7423,8 @@
         <translation>Unbekannt</translation>
     </message>
     <message>
-        <source>Upload the SVG as a cut image and compare the control bar: some versions read the size at 72 dpi. Nothing is in the file that may not be cut. It adds the knife's offset and overcut itself. Design Space prints marks of its own (Print Then Cut), round at most 183 x 270 mm on A4: a print has none, and is refused where it is larger.</source>
-        <translation>Laden Sie das SVG als Schneidebild hoch und vergleichen Sie den Kontrollbalken: manche Fassungen lesen die Größe mit 72 dpi. In der Datei ist nichts, was nicht geschnitten werden darf. Messerversatz und Überschnitt fügt es selbst hinzu. Design Space druckt eigene Marken (Print Then Cut), um höchstens 183 x 270 mm auf A4: ein Druck hat keine und wird verweigert, wo er größer ist.</translation>
+        <source>Upload the SVG as a cut image and compare the control bar: some versions read the size at 72 dpi. Nothing is in the file that may not be cut. It adds the knife's offset and overcut itself. Design Space prints marks of its own (Print Then Cut), round at most 9.25 x 6.75 in: a print has none, and is refused where it is larger. Where yours takes more, raise most_mm in a copy.</source>
+        <translation>Laden Sie das SVG als Schneidebild hoch und vergleichen Sie den Kontrollbalken: manche Fassungen lesen die Größe mit 72 dpi. In der Datei ist nichts, was nicht geschnitten werden darf. Messerversatz und Überschnitt fügt es selbst hinzu. Design Space druckt eigene Marken (Print Then Cut), um höchstens 9,25 x 6,75 Zoll: ein Druck hat keine und wird verweigert, wo er größer ist. Wo Ihres mehr zulässt, erhöhen Sie most_mm in einer Kopie.</translation>
     </message>
     <message>
         <source>Upper end</source>
@@ -7205,6 +7573,10 @@
     <message>
         <source>What is cut is a line in the spot colour CutContour, which prints over the picture and leaves no gap in it. With artwork both are in artwork-print-and-cut-pdf.pdf. The shop's program adds marks of its own.</source>
         <translation>Was geschnitten wird, ist eine Linie in der Schmuckfarbe CutContour, die über das Bild druckt und keine Lücke darin lässt. Mit Bildvorlage ist beides in artwork-print-and-cut-pdf.pdf. Das Programm der Druckerei fügt eigene Marken hinzu.</translation>
+    </message>
+    <message>
+        <source>What is left of other film is of one film: choose patterns of one film for it.</source>
+        <translation>Reststücke bestehen aus einer einzigen Folie: dafür Schnittmuster aus nur einer Folie wählen.</translation>
     </message>
     <message>
         <source>What it can work on, such as 600 x 400 mm, or 600 mm for a roll; empty where there is no limit</source>
@@ -7375,6 +7747,10 @@
         <translation>Die Datei schreiben, obwohl sie größer als das Bett ist</translation>
     </message>
     <message>
+        <source>Write the pieces as they lie to a PDF, in real size on pages</source>
+        <translation>Die Stücke, wie sie liegen, in wahrer Größe auf Seiten eines PDF schreiben</translation>
+    </message>
+    <message>
         <source>Write these frames as a moving picture, with the artwork, on white</source>
         <translation>Diese Bilder als bewegtes Bild schreiben, mit Aufdruck, auf Weiß</translation>
     </message>
@@ -7385,6 +7761,10 @@
     <message>
         <source>Write {"a": ["top", 0, 1], "b": ["side", 3, 2]}.</source>
         <translation>{"a": ["top", 0, 1], "b": ["side", 3, 2]} schreiben.</translation>
+    </message>
+    <message>
+        <source>Write {"do": "add", "at": [[0.3, 0.5]]}.</source>
+        <translation>{"do": "add", "at": [[0.3, 0.5]]} schreiben.</translation>
     </message>
     <message>
         <source>Write {"do": "cut", "at": [[0, 0, 50], [100, 0, 20]]}.</source>
@@ -7427,12 +7807,20 @@
         <translation>Geschrieben nach {}</translation>
     </message>
     <message>
+        <source>Written to {}, in real size on {}: print it at 100 %.</source>
+        <translation>Geschrieben nach {}, in wahrer Größe auf {}: mit 100 % drucken.</translation>
+    </message>
+    <message>
         <source>Wrote {0}</source>
         <translation>{0} geschrieben</translation>
     </message>
     <message>
         <source>Yellow</source>
         <translation>Gelb</translation>
+    </message>
+    <message>
+        <source>You paint on: {}</source>
+        <translation>Gemalt wird auf: {}</translation>
     </message>
     <message>
         <source>Young's modulus</source>
@@ -7731,8 +8119,8 @@
         <translation>Folie und Ventil wiegen {0}</translation>
     </message>
     <message>
-        <source>fitted to the photograph {0}</source>
-        <translation>an das Foto {0} angepasst</translation>
+        <source>fitted to {0}</source>
+        <translation>angepasst an {0}</translation>
     </message>
     <message>
         <source>fold</source>
@@ -7757,6 +8145,10 @@
     <message>
         <source>glued seam inside</source>
         <translation>geklebte Naht innen</translation>
+    </message>
+    <message>
+        <source>grain at {}°</source>
+        <translation>Laufrichtung {}°</translation>
     </message>
     <message>
         <source>height</source>
@@ -7993,6 +8385,10 @@
     <message>
         <source>min_power_percent of {0} is more than max_power_percent: exchange the two.</source>
         <translation>min_power_percent von {0} ist mehr als max_power_percent: beide tauschen.</translation>
+    </message>
+    <message>
+        <source>mirrored: its other side is up, with its print and sealing side</source>
+        <translation>gespiegelt: Ihre andere Seite liegt oben, mit Druck und Siegelseite</translation>
     </message>
     <message>
         <source>more than</source>
@@ -8371,6 +8767,10 @@
         <translation>formtreu</translation>
     </message>
     <message>
+        <source>turned by {}°</source>
+        <translation>gedreht um {}°</translation>
+    </message>
+    <message>
         <source>unknown: this film has no strength</source>
         <translation>unbekannt: Diese Folie hat keine Festigkeit</translation>
     </message>
@@ -8519,6 +8919,10 @@
         <translation>{0} folgt sich selbst: etwas wählen, das nicht daraus gemacht ist.</translation>
     </message>
     <message>
+        <source>{0} follows {1}: edit that.</source>
+        <translation>{0} folgt {1}: das dort bearbeiten.</translation>
+    </message>
+    <message>
         <source>{0} gap between the lines closed, the widest {1} of the drawing's width.</source>
         <translation>{0} Lücke zwischen den Linien geschlossen, {1} der Breite der Zeichnung weit.</translation>
     </message>
@@ -8563,8 +8967,20 @@
         <translation>{0} hat keinen Ballon: den wählen, der verändert werden soll.</translation>
     </message>
     <message>
+        <source>{0} has no drawing yet: choose a picture.</source>
+        <translation>{0} hat noch keine Zeichnung: ein Bild wählen.</translation>
+    </message>
+    <message>
+        <source>{0} has no outline to edit: choose a balloon from a picture.</source>
+        <translation>{0} hat keinen Umriss zum Bearbeiten: einen Ballon aus einem Bild wählen.</translation>
+    </message>
+    <message>
         <source>{0} has no pattern: choose a balloon.</source>
         <translation>{0} hat kein Schnittmuster: einen Ballon wählen.</translation>
+    </message>
+    <message>
+        <source>{0} has no piece {1}: its pieces are {2}.</source>
+        <translation>{0} hat kein Stück {1}: Die Stücke sind {2}.</translation>
     </message>
     <message>
         <source>{0} has no result yet: recompute it.</source>
@@ -8809,6 +9225,10 @@
     <message>
         <source>{0} is {1}: give numbers from {2} to {3}, the smaller one first.</source>
         <translation>{0} ist {1}: geben Sie Zahlen von {2} bis {3}, die kleinere zuerst.</translation>
+    </message>
+    <message>
+        <source>{0} is {1}: give {2}, or leave it out.</source>
+        <translation>{0} ist {1}: {2} angeben oder es weglassen.</translation>
     </message>
     <message>
         <source>{0} is {1}: write it as {"value": ..., "source": "who says so"}.</source>
@@ -9198,6 +9618,10 @@
         <source>{}: {}, flat</source>
         <translation>{}: {}, flach</translation>
     </message>
+    <message>
+        <source>{}: {}, nodes</source>
+        <translation>{}: {}, Knoten</translation>
+    </message>
 </context>
 <context>
     <name>BalloonWorkbench_Advice</name>
@@ -9263,6 +9687,17 @@
     <message>
         <source>Lay a photograph of the finished balloon over the simulated one, and see how near it came</source>
         <translation>Ein Foto des fertigen Ballons über den simulierten legen und sehen, wie nahe er kam</translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_EditOutline</name>
+    <message>
+        <source>Edit outline</source>
+        <translation>Umriss bearbeiten</translation>
+    </message>
+    <message>
+        <source>Move, add and remove nodes of the outline over its picture, and set how the picture is read</source>
+        <translation>Knoten des Umrisses über seinem Bild verschieben, hinzufügen und entfernen, und einstellen, wie das Bild gelesen wird</translation>
     </message>
 </context>
 <context>

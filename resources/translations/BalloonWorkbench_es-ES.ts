@@ -240,6 +240,10 @@
         <translation>Cómo se cierran sus extremos inferior y superior</translation>
     </message>
     <message>
+        <source>How large each was then [mm]</source>
+        <translation>Tamaño que tenía entonces cada una [mm]</translation>
+    </message>
+    <message>
         <source>How many balloons are cut from the sheet</source>
         <translation>Cuántos globos se cortan de la lámina</translation>
     </message>
@@ -274,6 +278,10 @@
     <message>
         <source>How the lower end is closed</source>
         <translation>Cómo se cierra el extremo inferior</translation>
+    </message>
+    <message>
+        <source>How the outline was edited by hand: nodes moved, added and removed, one JSON text each</source>
+        <translation>Cómo se editó a mano el contorno: nodos movidos, añadidos y quitados, un texto JSON cada uno</translation>
     </message>
     <message>
         <source>How the seams were changed: panels merged, seams cut and moved, one JSON text each</source>
@@ -422,6 +430,10 @@
     <message>
         <source>Names of the panels and other pieces</source>
         <translation>Nombres de los paneles y de las demás piezas</translation>
+    </message>
+    <message>
+        <source>Names of the pieces that have been arranged</source>
+        <translation>Nombres de las piezas que se han colocado</translation>
     </message>
     <message>
         <source>Notches to lay both films on each other by, evenly along the cut; of many panels, groups of them on each seam, 0 as many as its length needs</source>
@@ -924,6 +936,10 @@
         <translation>Dónde se busca: lo más lejos del centro, o abajo, donde un globo atado cuelga derecho</translation>
     </message>
     <message>
+        <source>Where the middle of each lies, turned and mirrored</source>
+        <translation>Dónde está el centro de cada una, girada y reflejada</translation>
+    </message>
+    <message>
         <source>Where the profile comes from without a sketch: a file, or the shape of a balloon without weight</source>
         <translation>De dónde viene el perfil sin croquis: de un archivo, o de la forma de un globo sin peso</translation>
     </message>
@@ -1299,8 +1315,20 @@
         <translation>«{0}» lo lee FreeCAD, que no está: instálelo para el Python que ejecuta esto, o dé un STL del sólido.</translation>
     </message>
     <message>
+        <source>'{}' has {} x {} pixels, more than {} million. Make it smaller; 2000 across are plenty.</source>
+        <translation>«{}» tiene {} x {} píxeles, más de {} millones. Redúzcala; 2000 píxeles de ancho bastan de sobra.</translation>
+    </message>
+    <message>
+        <source>'{}' is not a drawing of lines.</source>
+        <translation>«{}» no es un dibujo de líneas.</translation>
+    </message>
+    <message>
         <source>'{}' is not a picture. Save it as PNG, JPEG or BMP once more.</source>
         <translation>«{}» no es una imagen. Guárdela de nuevo como PNG, JPEG o BMP.</translation>
+    </message>
+    <message>
+        <source>'{}' was painted with a newer release: update Film Balloon.</source>
+        <translation>«{}» se pintó con una versión más nueva: actualice Film Balloon.</translation>
     </message>
     <message>
         <source>, about {0}</source>
@@ -1419,8 +1447,8 @@
         <translation>Ya hay un archivo con este nombre</translation>
     </message>
     <message>
-        <source>A film of this name is there already</source>
-        <translation>Ya existe una película con este nombre</translation>
+        <source>A film of this name is there already: else it gets the mean of all</source>
+        <translation>Ya existe una película con este nombre: si no, recibe la media de todas las fotografías</translation>
     </message>
     <message>
         <source>A film of your own beside the balloon's, with what was found; it changes no pattern</source>
@@ -1505,6 +1533,10 @@
     <message>
         <source>A new Sketcher sketch of lines and arcs, to go on with in FreeCAD</source>
         <translation>Un nuevo croquis de líneas y arcos, para seguir en FreeCAD</translation>
+    </message>
+    <message>
+        <source>A node that moves needs a place to move to; nothing else does.</source>
+        <translation>Un nodo que se mueve necesita un lugar adonde ir; nada más lo lleva.</translation>
     </message>
     <message>
         <source>A number of an intake is empty.</source>
@@ -1639,6 +1671,10 @@
         <translation>La herramienta es la de una máquina que lee código G: indique --machine gcode-grbl u otra.</translation>
     </message>
     <message>
+        <source>A tool that an axis turns does not swivel behind it: set knife_offset_mm to 0, or leave turning_axis out.</source>
+        <translation>Una herramienta que un eje gira no pivota detrás de él: ponga knife_offset_mm a 0 u omita turning_axis.</translation>
+    </message>
+    <message>
         <source>A volume of {0} cannot be made: give one such as 10l.</source>
         <translation>Un volumen de {0} no es posible: indique por ejemplo 10l.</translation>
     </message>
@@ -1767,6 +1803,14 @@
         <translation>Una boca de {0} no sobrepasa el corte: dele al menos {1}.</translation>
     </message>
     <message>
+        <source>An outline cannot be edited by "{0}": choose one of {1}.</source>
+        <translation>Un contorno no se puede editar con «{0}»: elija uno de {1}.</translation>
+    </message>
+    <message>
+        <source>An outline keeps three nodes: move them instead.</source>
+        <translation>Un contorno conserva tres nodos: muévalos en vez de quitarlos.</translation>
+    </message>
+    <message>
         <source>Angle</source>
         <translation>Ángulo</translation>
     </message>
@@ -1781,6 +1825,14 @@
     <message>
         <source>Any</source>
         <translation>Cualquiera</translation>
+    </message>
+    <message>
+        <source>Any colour</source>
+        <translation>Cualquier color</translation>
+    </message>
+    <message>
+        <source>Any colour (K)</source>
+        <translation>Cualquier color (K)</translation>
     </message>
     <message>
         <source>Any program (DXF)</source>
@@ -1857,6 +1909,10 @@
     <message>
         <source>Automatic</source>
         <translation>Automática</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Eje</translation>
     </message>
     <message>
         <source>Back</source>
@@ -1973,6 +2029,10 @@
     <message>
         <source>Both panels are on the sheet: only the front one gets the hole of the nozzle. Cut it once.</source>
         <translation>Ambos paneles están en la lámina: solo el delantero lleva el agujero de la boquilla. Córtelo una vez.</translation>
+    </message>
+    <message>
+        <source>Both sides</source>
+        <translation>Ambos lados</translation>
     </message>
     <message>
         <source>Both sides of a seam must be equally long</source>
@@ -2111,12 +2171,20 @@
         <translation>Elija los patrones que se van a colocar.</translation>
     </message>
     <message>
+        <source>Circle</source>
+        <translation>Círculo</translation>
+    </message>
+    <message>
         <source>Click a seam: its panels become one. Esc: done.</source>
         <translation>Haga clic en una costura: sus paneles se unen en uno. Esc: terminar.</translation>
     </message>
     <message>
         <source>Click a seam: the panels beside it become one</source>
         <translation>Haga clic en una costura: los paneles a sus lados se unen en uno</translation>
+    </message>
+    <message>
+        <source>Click an edge to see what it is sealed to, drag a piece to move it.</source>
+        <translation>Haga clic en un borde para ver con qué se sella, arrastre una pieza para moverla.</translation>
     </message>
     <message>
         <source>Click an edge to see what it is sealed to.</source>
@@ -2131,6 +2199,14 @@
         <translation>Haga clic en ambos extremos de una regla de la imagen, o de otra longitud conocida</translation>
     </message>
     <message>
+        <source>Click on the paper, then type</source>
+        <translation>Haga clic en el papel y escriba</translation>
+    </message>
+    <message>
+        <source>Click the line for a new node; drag nodes; Delete removes them; S: sharp or round.</source>
+        <translation>Haga clic en la línea para un nodo nuevo; arrastre nodos; Supr los quita; S: agudo o redondo.</translation>
+    </message>
+    <message>
         <source>Click to see it larger</source>
         <translation>Haga clic para verla más grande</translation>
     </message>
@@ -2141,6 +2217,10 @@
     <message>
         <source>Click two points to measure between them.</source>
         <translation>Haga clic en dos puntos para medir entre ellos.</translation>
+    </message>
+    <message>
+        <source>Click where it shall stand and type; pull it, or its corner. Enter paints it, Esc drops it.</source>
+        <translation>Haga clic donde deba estar y escriba; tire del texto o de su esquina. Intro lo pinta, Esc lo descarta.</translation>
     </message>
     <message>
         <source>Click where the new seam begins. Esc: done.</source>
@@ -2159,8 +2239,16 @@
         <translation>Cierre primero el panel de tareas abierto.</translation>
     </message>
     <message>
+        <source>Cloud</source>
+        <translation>Nube</translation>
+    </message>
+    <message>
         <source>Colour map</source>
         <translation>Mapa de colores</translation>
+    </message>
+    <message>
+        <source>Colour {}</source>
+        <translation>Color {}</translation>
     </message>
     <message>
         <source>Columns from the left: {0}</source>
@@ -2195,6 +2283,10 @@
         <translation>Copiar</translation>
     </message>
     <message>
+        <source>Copy (Ctrl+C)</source>
+        <translation>Copiar (Ctrl+C)</translation>
+    </message>
+    <message>
         <source>Corner relief</source>
         <translation>Alivio de esquinas</translation>
     </message>
@@ -2217,6 +2309,10 @@
     <message>
         <source>Cut</source>
         <translation>Cortar</translation>
+    </message>
+    <message>
+        <source>Cut (Ctrl+X)</source>
+        <translation>Cortar (Ctrl+X)</translation>
     </message>
     <message>
         <source>Cut all panels from {film}, as they are drawn: so they are seen from outside, with the sealing side below.</source>
@@ -2267,6 +2363,10 @@
         <translation>Los archivos DXF necesitan el paquete de Python ezdxf. Instálelo con «pip install ezdxf» o guarde el dibujo como SVG.</translation>
     </message>
     <message>
+        <source>Decoration</source>
+        <translation>Decoración</translation>
+    </message>
+    <message>
         <source>Delete</source>
         <translation>Eliminar</translation>
     </message>
@@ -2313,6 +2413,10 @@
     <message>
         <source>Done</source>
         <translation>Hecho</translation>
+    </message>
+    <message>
+        <source>Done (Esc)</source>
+        <translation>Hecho (Esc)</translation>
     </message>
     <message>
         <source>Dots per inch</source>
@@ -2375,6 +2479,10 @@
         <translation>Dibujado como</translation>
     </message>
     <message>
+        <source>Drop</source>
+        <translation>Gota</translation>
+    </message>
+    <message>
         <source>Dwell</source>
         <translation>Espera</translation>
     </message>
@@ -2405,6 +2513,14 @@
     <message>
         <source>Edit film</source>
         <translation>Editar lámina de película</translation>
+    </message>
+    <message>
+        <source>Edit outline</source>
+        <translation>Editar contorno</translation>
+    </message>
+    <message>
+        <source>Edit outline ...</source>
+        <translation>Editar contorno ...</translation>
     </message>
     <message>
         <source>Edit study</source>
@@ -2651,8 +2767,16 @@
         <translation>Ajustando el patrón</translation>
     </message>
     <message>
+        <source>Flat pieces</source>
+        <translation>Piezas planas</translation>
+    </message>
+    <message>
         <source>Flattening needs scipy: install it with pip install scipy.</source>
         <translation>El aplanado necesita scipy: instálelo con pip install scipy.</translation>
+    </message>
+    <message>
+        <source>Flower</source>
+        <translation>Flor</translation>
     </message>
     <message>
         <source>Folder</source>
@@ -2671,6 +2795,14 @@
         <translation>Sigue el cuerpo</translation>
     </message>
     <message>
+        <source>Font</source>
+        <translation>Tipo de letra</translation>
+    </message>
+    <message>
+        <source>For Send to Silhouette of inkscape-silhouette. It looks for four marks, which lie on the layer Regmarks, are not cut, 10 mm from the edges of A4 and 190 and 277 mm apart: give that there, and four marks. Nothing is cut outside them. For other paper change page_mm in a copy.</source>
+        <translation>Para «Send to Silhouette» de inkscape-silhouette. Busca cuatro marcas, que están en la capa Regmarks, no se cortan, a 10 mm de los bordes de A4 y separadas 190 y 277 mm: indíquelo allí, y cuatro marcas. Fuera de ellas no se corta nada. Para otro papel cambie page_mm en una copia.</translation>
+    </message>
+    <message>
         <source>For Send to Silhouette of inkscape-silhouette. The marks of a print lie on the layer Regmarks, which is not cut, 10 mm from the edges of A4 and 190 and 277 mm apart: give that there. Nothing is cut outside them. For other paper change page_mm in a copy.</source>
         <translation>Para «Send to Silhouette» de inkscape-silhouette. Las marcas de una impresión están en la capa Regmarks, que no se corta, a 10 mm de los bordes de A4 y separadas 190 y 277 mm: indíquelo allí. Fuera de ellas no se corta nada. Para otro papel cambie page_mm en una copia.</translation>
     </message>
@@ -2685,6 +2817,10 @@
     <message>
         <source>Forced</source>
         <translation>Forzada</translation>
+    </message>
+    <message>
+        <source>Forget earlier photographs</source>
+        <translation>Olvidar las fotografías anteriores</translation>
     </message>
     <message>
         <source>Form</source>
@@ -2741,6 +2877,10 @@
     <message>
         <source>G-code, and no other format, has a tool: give both or none.</source>
         <translation>Solo el formato de código G tiene herramienta, ningún otro: indique ambos o ninguno.</translation>
+    </message>
+    <message>
+        <source>GRBL knows X, Y and Z only: leave turning_axis out, or take LinuxCNC or Marlin where an axis turns the tool.</source>
+        <translation>GRBL solo conoce X, Y y Z: omita turning_axis, o use LinuxCNC o Marlin si un eje gira la herramienta.</translation>
     </message>
     <message>
         <source>GRBL machine (G-code)</source>
@@ -2861,6 +3001,10 @@
     <message>
         <source>Half the outline and its axis; a copy of it travels in the document</source>
         <translation>Medio contorno y su eje; una copia viaja en el documento</translation>
+    </message>
+    <message>
+        <source>Heart</source>
+        <translation>Corazón</translation>
     </message>
     <message>
         <source>Heart from a spreadsheet</source>
@@ -3139,6 +3283,10 @@
         <translation>Una los paneles por las líneas del interior del globo.</translation>
     </message>
     <message>
+        <source>Joined</source>
+        <translation>Unidas</translation>
+    </message>
+    <message>
         <source>Keep it</source>
         <translation>Conservarla</translation>
     </message>
@@ -3231,6 +3379,10 @@
         <translation>Colocar</translation>
     </message>
     <message>
+        <source>Lay out anew</source>
+        <translation>Recolocar</translation>
+    </message>
+    <message>
         <source>Lay out on film</source>
         <translation>Colocar en la película</translation>
     </message>
@@ -3299,6 +3451,10 @@
         <translation>Longitud que necesita del rollo habitual</translation>
     </message>
     <message>
+        <source>Let all pieces lie as the pattern lays them</source>
+        <translation>Poner todas las piezas como las pone el patrón</translation>
+    </message>
+    <message>
         <source>Letter</source>
         <translation>Letra</translation>
     </message>
@@ -3309,6 +3465,10 @@
     <message>
         <source>Letter with a side band</source>
         <translation>Letra con banda lateral</translation>
+    </message>
+    <message>
+        <source>Letters on a ground that makes one balloon of them</source>
+        <translation>Letras sobre un fondo que hace de ellas un solo globo</translation>
     </message>
     <message>
         <source>Letters, digits, spaces and - only</source>
@@ -3365,10 +3525,6 @@
     <message>
         <source>Look for the closest layout; Esc takes the best one so far</source>
         <translation>Buscar la colocación más apretada; Esc toma la mejor hasta el momento</translation>
-    </message>
-    <message>
-        <source>Looking at the picture</source>
-        <translation>Mirando la imagen</translation>
     </message>
     <message>
         <source>Loose ends of lines were joined to the drawing.</source>
@@ -3503,6 +3659,10 @@
         <translation>Reflejar</translation>
     </message>
     <message>
+        <source>Mirror piece</source>
+        <translation>Reflejar pieza</translation>
+    </message>
+    <message>
         <source>Mode</source>
         <translation>Modo</translation>
     </message>
@@ -3515,12 +3675,24 @@
         <translation>Más gajos apenas ayudan: cambie el perfil.</translation>
     </message>
     <message>
+        <source>More: text, stamps, layers, symmetry, any colour (Q)</source>
+        <translation>Más: texto, sellos, capas, simetría, cualquier color (Q)</translation>
+    </message>
+    <message>
         <source>Move</source>
         <translation>Mover</translation>
     </message>
     <message>
+        <source>Move piece</source>
+        <translation>Mover pieza</translation>
+    </message>
+    <message>
         <source>Move the pointer to bend the line, then click. Esc drops it.</source>
         <translation>Mueva el puntero para curvar la línea y haga clic. Esc la descarta.</translation>
+    </message>
+    <message>
+        <source>Move, add and remove nodes of the outline in a tab, over the picture</source>
+        <translation>Mover, añadir y quitar nodos del contorno en una pestaña, sobre la imagen</translation>
     </message>
     <message>
         <source>My machines</source>
@@ -3603,8 +3775,16 @@
         <translation>Nuevo cuerpo de gajos</translation>
     </message>
     <message>
+        <source>New, laid beside the others: {}.</source>
+        <translation>Nuevas, puestas junto a las demás: {}.</translation>
+    </message>
+    <message>
         <source>Newmark</source>
         <translation>Newmark</translation>
+    </message>
+    <message>
+        <source>No axis turns a {0}: leave {1} out.</source>
+        <translation>Ningún eje gira esta herramienta ({0}): omita {1}.</translation>
     </message>
     <message>
         <source>No balloon came within {0} of the body's diagonal: tried were {1} panels. This is the nearest one, {2}. Ask for less, or divide the body yourself where the film stays far from it.</source>
@@ -3633,6 +3813,10 @@
     <message>
         <source>No limit</source>
         <translation>Sin límite</translation>
+    </message>
+    <message>
+        <source>No longer in the pattern, with their places: {}.</source>
+        <translation>Ya no están en el patrón, con sus lugares: {}.</translation>
     </message>
     <message>
         <source>No number of panels up to {} comes so near. {} panels: about {} off</source>
@@ -3827,6 +4011,10 @@
         <translation>De una tarjeta se guarda un campo: dé --keep B3, u otro, y --name.</translation>
     </message>
     <message>
+        <source>Of a symmetric outline the other side is edited, too</source>
+        <translation>En un contorno simétrico se edita también el otro lado</translation>
+    </message>
+    <message>
         <source>Of the bodies of the mesh only the largest is made; all in all there are: {0}.</source>
         <translation>De los cuerpos de la malla solo se hace el mayor; en total hay: {0}.</translation>
     </message>
@@ -3837,6 +4025,10 @@
     <message>
         <source>Of the tip or wheel, 40 to 400 °C. Above 260 °C a layer of PTFE gives off poisonous fumes</source>
         <translation>De la punta o la rueda, de 40 a 400 °C. Por encima de 260 °C una capa de PTFE desprende humos tóxicos</translation>
+    </message>
+    <message>
+        <source>Of {0}: sheet {1}.</source>
+        <translation>De {0}: lámina {1}.</translation>
     </message>
     <message>
         <source>Off</source>
@@ -3967,6 +4159,30 @@
         <translation>Contorno</translation>
     </message>
     <message>
+        <source>Outline edit {0} at {1} is left out. {2}</source>
+        <translation>La edición {0} del contorno en {1} se omite. {2}</translation>
+    </message>
+    <message>
+        <source>Outline edit {0} does none of {1}. {2}</source>
+        <translation>La edición {0} del contorno no hace nada de {1}. {2}</translation>
+    </message>
+    <message>
+        <source>Outline edit {0} has an 'at' that does not fit. {1}</source>
+        <translation>La edición {0} del contorno tiene un 'at' que no es válido. {1}</translation>
+    </message>
+    <message>
+        <source>Outline edit {0} has an unknown '{1}'. Use {2}.</source>
+        <translation>La edición {0} del contorno tiene un '{1}' desconocido. Use {2}.</translation>
+    </message>
+    <message>
+        <source>Outline edit {0} has no place [x, y] as its 'to', or one too many. {1}</source>
+        <translation>La edición {0} del contorno no tiene un lugar [x, y] como 'to', o lo tiene de más. {1}</translation>
+    </message>
+    <message>
+        <source>Outline edit {0}: 'mirrored' is true or false.</source>
+        <translation>Edición {0} del contorno: 'mirrored' es true o false.</translation>
+    </message>
+    <message>
         <source>Outline {}</source>
         <translation>Contorno {}</translation>
     </message>
@@ -3999,6 +4215,10 @@
         <translation>Pintar un globo</translation>
     </message>
     <message>
+        <source>Paint a shape first: the decoration is seen on it alone.</source>
+        <translation>Pinte antes una forma: la decoración solo se ve sobre ella.</translation>
+    </message>
+    <message>
         <source>Paint both sides at once, mirrored (M)</source>
         <translation>Pintar ambos lados a la vez, en espejo (M)</translation>
     </message>
@@ -4007,8 +4227,20 @@
         <translation>Pintar con trazos anchos y suaves: lo pintado se convierte en un globo.</translation>
     </message>
     <message>
+        <source>Paint so many times around a centre ( , fewer, . more)</source>
+        <translation>Pintar tantas veces alrededor de un centro ( , menos, . más)</translation>
+    </message>
+    <message>
         <source>Paint something first: a closed line is enough.</source>
         <translation>Pinte algo primero: basta una línea cerrada.</translation>
+    </message>
+    <message>
+        <source>Paint what becomes the outline (D)</source>
+        <translation>Pintar lo que se convierte en el contorno (D)</translation>
+    </message>
+    <message>
+        <source>Paint what is printed on the film and leaves the outline as it is (D)</source>
+        <translation>Pintar lo que se imprime en la película y deja el contorno como está (D)</translation>
     </message>
     <message>
         <source>Painted balloon</source>
@@ -4139,6 +4371,10 @@
         <translation>Partes del globo pueden inclinarse a un lado o a otro: el contorno inflado queda de {0} a {1} del dibujo. Otro ancho de la banda lateral puede sujetarlas.</translation>
     </message>
     <message>
+        <source>Paste (Ctrl+V)</source>
+        <translation>Pegar (Ctrl+V)</translation>
+    </message>
+    <message>
         <source>Pattern</source>
         <translation>Patrón</translation>
     </message>
@@ -4249,6 +4485,10 @@
     <message>
         <source>Pieces: {}, on {}, {} used</source>
         <translation>Piezas: {}, en {}, {} usado</translation>
+    </message>
+    <message>
+        <source>Pipette</source>
+        <translation>Cuentagotas</translation>
     </message>
     <message>
         <source>Pixels</source>
@@ -4363,12 +4603,20 @@
         <translation>Presión: {0}</translation>
     </message>
     <message>
+        <source>Print</source>
+        <translation>Imprimir</translation>
+    </message>
+    <message>
         <source>Print at 100 % ("actual size"). The bar below must be 100 mm long.</source>
         <translation>Imprima al 100 % («tamaño real»). La barra de abajo debe medir 100 mm.</translation>
     </message>
     <message>
         <source>Print shop (PDF with CutContour)</source>
         <translation>Imprenta (PDF con CutContour)</translation>
+    </message>
+    <message>
+        <source>Print the pieces</source>
+        <translation>Imprimir las piezas</translation>
     </message>
     <message>
         <source>Print {0} at {1} dpi, all panels</source>
@@ -4385,6 +4633,22 @@
     <message>
         <source>Pull a line; then move the pointer to bend it, and click. A right click keeps it straight.</source>
         <translation>Tire una línea; luego mueva el puntero para curvarla y haga clic. Con clic derecho queda recta.</translation>
+    </message>
+    <message>
+        <source>Pull a rectangle to copy (Ctrl+C) or cut (Ctrl+X); without one that is all. Ctrl+V pastes.</source>
+        <translation>Tire un rectángulo para copiar (Ctrl+C) o cortar (Ctrl+X); sin él vale para todo. Ctrl+V pega.</translation>
+    </message>
+    <message>
+        <source>Pull a shape to its size, up or down to turn it; Shift keeps it upright.</source>
+        <translation>Tire de una forma hasta su tamaño, hacia arriba o abajo para girarla; Mayús la mantiene derecha.</translation>
+    </message>
+    <message>
+        <source>Pull it to its place. Enter paints it, Esc drops it.</source>
+        <translation>Tire de la imagen hasta su lugar. Intro la pinta, Esc la descarta.</translation>
+    </message>
+    <message>
+        <source>Pull the centre of the symmetry to its place, and turn its axis by the ring</source>
+        <translation>Tire del centro de la simetría hasta su lugar y gire su eje con el anillo</translation>
     </message>
     <message>
         <source>Pull the paper. The middle button, or the space bar, does it with every tool; the wheel zooms.</source>
@@ -4443,8 +4707,16 @@
         <translation>Tamaño real, para recortar a mano. Imprima al 100 % y mida la barra de control.</translation>
     </message>
     <message>
+        <source>Rectangle</source>
+        <translation>Rectángulo</translation>
+    </message>
+    <message>
         <source>Red</source>
         <translation>Rojo</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rehacer</translation>
     </message>
     <message>
         <source>Redo (Ctrl+Y)</source>
@@ -4459,16 +4731,16 @@
         <translation>Retales</translation>
     </message>
     <message>
+        <source>Remove (Del)</source>
+        <translation>Quitar (Supr)</translation>
+    </message>
+    <message>
         <source>Repair</source>
         <translation>Reparar</translation>
     </message>
     <message>
         <source>Repair {0} cannot be read: delete it from Repairs.</source>
         <translation>La reparación {0} no se puede leer: bórrela de «Repairs».</translation>
-    </message>
-    <message>
-        <source>Replace it</source>
-        <translation>Reemplazarla</translation>
     </message>
     <message>
         <source>Replace the file</source>
@@ -4823,6 +5095,10 @@
         <translation>Segundo panel, reflejado</translation>
     </message>
     <message>
+        <source>Select</source>
+        <translation>Selección</translation>
+    </message>
+    <message>
         <source>Select a sketch of half the outline, or choose where the profile comes from.</source>
         <translation>Elija un croquis de medio contorno, o de dónde viene el perfil.</translation>
     </message>
@@ -4833,6 +5109,10 @@
     <message>
         <source>Select a solid or a mesh, or choose a file.</source>
         <translation>Elija un sólido o una malla, o un archivo.</translation>
+    </message>
+    <message>
+        <source>Select all (Ctrl+A)</source>
+        <translation>Seleccionar todo (Ctrl+A)</translation>
     </message>
     <message>
         <source>Select another</source>
@@ -4871,6 +5151,10 @@
         <translation>Se quitaron las sombras del fondo.</translation>
     </message>
     <message>
+        <source>Shape</source>
+        <translation>Forma</translation>
+    </message>
+    <message>
         <source>Shape that stays flat</source>
         <translation>Forma que queda plana</translation>
     </message>
@@ -4883,12 +5167,20 @@
         <translation>Parte de la potencia máxima del láser; vacío: aún no se sabe</translation>
     </message>
     <message>
+        <source>Sharp or round (S)</source>
+        <translation>Agudo o redondo (S)</translation>
+    </message>
+    <message>
         <source>Sheet length</source>
         <translation>Longitud de lámina</translation>
     </message>
     <message>
         <source>Sheet {} of {}</source>
         <translation>Lámina {} de {}</translation>
+    </message>
+    <message>
+        <source>Show all (0)</source>
+        <translation>Mostrar todo (0)</translation>
     </message>
     <message>
         <source>Show all pieces (0)</source>
@@ -4901,6 +5193,10 @@
     <message>
         <source>Show the whole paper (0)</source>
         <translation>Mostrar todo el papel (0)</translation>
+    </message>
+    <message>
+        <source>Shown on the pieces</source>
+        <translation>Se muestra en las piezas</translation>
     </message>
     <message>
         <source>Shown sheet</source>
@@ -4925,6 +5221,10 @@
     <message>
         <source>Side {0} of seam {1} runs the wrong way at {2}, which would seal the outside of the film to its inside, as in a Moebius strip: it goes {3} its loop. Swap the two points of {4}.</source>
         <translation>El lado {0} de la costura {1} va al revés en {2}, lo que soldaría el exterior de la película con su interior, como en una cinta de Möbius: va {3} su contorno. Intercambie los dos puntos de {4}.</translation>
+    </message>
+    <message>
+        <source>Silhouette Cameo 5 Alpha from Inkscape</source>
+        <translation>Silhouette Cameo 5 Alpha desde Inkscape</translation>
     </message>
     <message>
         <source>Silhouette Studio (vinyl cutter)</source>
@@ -5009,6 +5309,14 @@
     <message>
         <source>Spot in 16 panels</source>
         <translation>Spot en 16 paneles</translation>
+    </message>
+    <message>
+        <source>Stamp</source>
+        <translation>Sello</translation>
+    </message>
+    <message>
+        <source>Star</source>
+        <translation>Estrella</translation>
     </message>
     <message>
         <source>Start values for welding: {0} ({1}).</source>
@@ -5115,6 +5423,10 @@
         <translation>Fijadas a un panel</translation>
     </message>
     <message>
+        <source>Take a colour from the painting, or the picture under it</source>
+        <translation>Tomar un color de la pintura, o de la imagen que está debajo</translation>
+    </message>
+    <message>
         <source>Take a tool to change the seams, or choose one and press Delete to merge.</source>
         <translation>Elija una herramienta para cambiar las costuras, o elija una costura y pulse Supr para unir.</translation>
     </message>
@@ -5203,6 +5515,10 @@
         <translation>Tarjetas de prueba</translation>
     </message>
     <message>
+        <source>Text</source>
+        <translation>Texto</translation>
+    </message>
+    <message>
         <source>That of the front</source>
         <translation>La del frente</translation>
     </message>
@@ -5217,6 +5533,10 @@
     <message>
         <source>That would take {0} pages: choose larger paper or a smaller balloon.</source>
         <translation>Serían {0} páginas: elija papel más grande o un globo más pequeño.</translation>
+    </message>
+    <message>
+        <source>The "as_made" of the film {0} cannot be read: delete it from the file.</source>
+        <translation>El «as_made» de la película {0} no se puede leer: bórrelo del archivo.</translation>
     </message>
     <message>
         <source>The 'at' of seam {0} of the list is no list of places. {1}</source>
@@ -5285,6 +5605,10 @@
     <message>
         <source>The DXF file {0}; millimetres are assumed.</source>
         <translation>El archivo DXF {0}; se suponen milímetros.</translation>
+    </message>
+    <message>
+        <source>The G-code turns the tool by {0}. FreeCAD takes that axis for one that turns the work: its 3D view shows the path turned.</source>
+        <translation>El código G gira la herramienta con {0}. FreeCAD toma ese eje por uno que gira la pieza de trabajo: su vista 3D muestra la trayectoria girada.</translation>
     </message>
     <message>
         <source>The JSON file cannot be read ({0}). {1}</source>
@@ -5389,6 +5713,10 @@
     <message>
         <source>The altitude {0} m is out of range: give one up to 11000 m.</source>
         <translation>La altitud {0} m está fuera de rango: indique hasta 11000 m.</translation>
+    </message>
+    <message>
+        <source>The axis that turns the wheel or knife along the path, 0 along X, counter-clockwise from above; none for one that swivels or is round</source>
+        <translation>El eje que gira la rueda o la cuchilla según la trayectoria, 0 a lo largo de X, en sentido antihorario desde arriba; ninguno si pivota por sí sola o es redonda</translation>
     </message>
     <message>
         <source>The bag has no opening through which it is filled. Name the edge at which it stays open, such as edge 1 of panel '{0}', or make it without an intake.</source>
@@ -5509,6 +5837,10 @@
     <message>
         <source>The connection to {0} ended before the whole native solver had come. Try again. {1}</source>
         <translation>La conexión con {0} terminó antes de que llegara el solucionador nativo entero. Inténtelo de nuevo. {1}</translation>
+    </message>
+    <message>
+        <source>The copied picture</source>
+        <translation>La imagen copiada</translation>
     </message>
     <message>
         <source>The cutter finds the four discs round a print itself. VersaWorks prints discs of its own: give it the PDF for print and cut instead. The layer REGISTRATION is not cut.</source>
@@ -5723,8 +6055,8 @@
         <translation>La carpeta «{0}» ha desaparecido: recupérela o elija otra e inicie el estudio de nuevo.</translation>
     </message>
     <message>
-        <source>The free edition opens DXF, not SVG. Choose "as is" for the size in the import preferences. Silhouette adds the knife's offset and overcut. Nothing is in the file that may not be cut. Studio draws registration marks itself, print them from there; or set page A4, inset 10 mm, length 8.4 mm and thickness 1 mm there and lay the file's marks on them, not to be cut: a print has the same. Nothing is cut outside them.</source>
-        <translation>La edición gratuita abre DXF, no SVG. Elija «as is» para el tamaño en las preferencias de importación. Silhouette añade el desvío y el sobrecorte de la cuchilla. En el archivo no hay nada que no se pueda cortar. Studio dibuja él mismo las marcas de registro, imprímalas desde allí; o ponga allí página A4, margen 10 mm, longitud 8,4 mm y grosor 1 mm y ponga sobre ellas las marcas del archivo, sin cortarlas: una impresión tiene las mismas. Fuera de ellas no se corta nada.</translation>
+        <source>The free edition opens DXF, not SVG. Choose "as is" for the size in the import preferences. Silhouette adds the knife's offset and overcut. Nothing is in the file that may not be cut. Studio draws registration marks itself, print them from there; or set page A4, inset 10.01 mm, length 8.38 mm and thickness 0.99 mm there (0.394, 0.33 and 0.039 in) and lay the file's marks on them, not to be cut: a print has the same. Nothing is cut outside them.</source>
+        <translation>La edición gratuita abre DXF, no SVG. Elija «as is» para el tamaño en las preferencias de importación. Silhouette añade el desvío y el sobrecorte de la cuchilla. En el archivo no hay nada que no se pueda cortar. Studio dibuja él mismo las marcas de registro, imprímalas desde allí; o ponga allí página A4, margen 10,01 mm, longitud 8,38 mm y grosor 0,99 mm (0,394, 0,33 y 0,039 pulgadas) y ponga sobre ellas las marcas del archivo, sin cortarlas: una impresión tiene las mismas. Fuera de ellas no se corta nada.</translation>
     </message>
     <message>
         <source>The goal has {0} combinations to choose from, of which each is tried: list 1 to {1}.</source>
@@ -6011,6 +6343,10 @@
         <translation>El contorno se cruza o se toca y no se puede reflejar; separe las líneas.</translation>
     </message>
     <message>
+        <source>The outline does not pass there any more: delete the edit.</source>
+        <translation>El contorno ya no pasa por ahí: borre la edición.</translation>
+    </message>
+    <message>
         <source>The outline encloses no area; draw a closed shape with at least three corners.</source>
         <translation>El contorno no encierra área; dibuje una forma cerrada con al menos tres esquinas.</translation>
     </message>
@@ -6021,6 +6357,10 @@
     <message>
         <source>The outline has no straight upright side on its left, so its axis is missing. {0}</source>
         <translation>El contorno no tiene un lado recto y vertical a su izquierda, así que falta su eje. {0}</translation>
+    </message>
+    <message>
+        <source>The outline runs another way there: delete the edit.</source>
+        <translation>El contorno va ahí de otra manera: borre la edición.</translation>
     </message>
     <message>
         <source>The outline's {0} of {1} cannot be made; bring it to a size between 1 mm and 100 m.</source>
@@ -6627,10 +6967,6 @@
         <translation>Puede haber de 1 a {0} copias, no {1}.</translation>
     </message>
     <message>
-        <source>There is a film {0} already: say that it may be replaced.</source>
-        <translation>Ya existe una película {0}: diga que se puede reemplazar.</translation>
-    </message>
-    <message>
         <source>There is a machine {0} already: give this one another name.</source>
         <translation>Ya existe una máquina {0}: dé a esta otro nombre.</translation>
     </message>
@@ -6671,6 +7007,14 @@
         <translation>No hay gas «{0}»: elija uno de {1}.</translation>
     </message>
     <message>
+        <source>There is no hole any more: delete the edit.</source>
+        <translation>Ya no hay ningún agujero: borre la edición.</translation>
+    </message>
+    <message>
+        <source>There is no hole at {0}: give a place on its edge.</source>
+        <translation>No hay ningún agujero en {0}: indique un lugar de su borde.</translation>
+    </message>
+    <message>
         <source>There is no intake "{0}": choose one of {1}.</source>
         <translation>No hay boca «{0}»: elija una de {1}.</translation>
     </message>
@@ -6699,6 +7043,10 @@
         <translation>Todavía no hay solucionador nativo que descargar para esta versión. {0}</translation>
     </message>
     <message>
+        <source>There is no node near {0}: add one there.</source>
+        <translation>No hay ningún nodo cerca de {0}: añada uno ahí.</translation>
+    </message>
+    <message>
         <source>There is no outline at {0} degrees from the centre: choose another intake angle.</source>
         <translation>No hay contorno a {0} grados del centro: elija otro ángulo para la boca.</translation>
     </message>
@@ -6713,6 +7061,10 @@
     <message>
         <source>There is no paper "{0}": choose A4, A3 or Letter.</source>
         <translation>No hay papel «{0}»: elija A4, A3 o Letter.</translation>
+    </message>
+    <message>
+        <source>There is no picture to paste: copy one first.</source>
+        <translation>No hay ninguna imagen que pegar: copie antes una.</translation>
     </message>
     <message>
         <source>There is no picture to print: choose one, as the balloon has none of its own.</source>
@@ -6765,6 +7117,10 @@
     <message>
         <source>There is no symmetry "{0}": choose one of {1}.</source>
         <translation>No hay simetría «{0}»: elija una de {1}.</translation>
+    </message>
+    <message>
+        <source>There is nothing to copy: paint something, or select it.</source>
+        <translation>No hay nada que copiar: pinte algo o selecciónelo.</translation>
     </message>
     <message>
         <source>There is too little memory for this: take a coarser mesh, or close other programs.</source>
@@ -6987,6 +7343,14 @@
         <translation>Pruebe temperatura y tiempo en dos retales: la soldadura debe estirarse o rasgarse antes de abrirse.</translation>
     </message>
     <message>
+        <source>Turn piece</source>
+        <translation>Girar pieza</translation>
+    </message>
+    <message>
+        <source>Turning axis</source>
+        <translation>Eje de giro</translation>
+    </message>
+    <message>
         <source>Turns</source>
         <translation>Se vuelve</translation>
     </message>
@@ -7035,6 +7399,10 @@
         <translation>Escriba dos lugares para un corte, como 10 0 50; 10 20 50, o elija una costura y escriba uno.</translation>
     </message>
     <message>
+        <source>Undo</source>
+        <translation>Deshacer</translation>
+    </message>
+    <message>
         <source>Undo (Ctrl+Z)</source>
         <translation>Deshacer (Ctrl+Z)</translation>
     </message>
@@ -7055,8 +7423,8 @@
         <translation>Desconocido</translation>
     </message>
     <message>
-        <source>Upload the SVG as a cut image and compare the control bar: some versions read the size at 72 dpi. Nothing is in the file that may not be cut. It adds the knife's offset and overcut itself. Design Space prints marks of its own (Print Then Cut), round at most 183 x 270 mm on A4: a print has none, and is refused where it is larger.</source>
-        <translation>Suba el SVG como imagen de corte y compare la barra de control: algunas versiones leen el tamaño a 72 ppp. En el archivo no hay nada que no se pueda cortar. Añade él mismo el desvío y el sobrecorte de la cuchilla. Design Space imprime marcas propias (Print Then Cut), alrededor de 183 x 270 mm como mucho en A4: una impresión no lleva ninguna, y se rechaza si es mayor.</translation>
+        <source>Upload the SVG as a cut image and compare the control bar: some versions read the size at 72 dpi. Nothing is in the file that may not be cut. It adds the knife's offset and overcut itself. Design Space prints marks of its own (Print Then Cut), round at most 9.25 x 6.75 in: a print has none, and is refused where it is larger. Where yours takes more, raise most_mm in a copy.</source>
+        <translation>Suba el SVG como imagen de corte y compare la barra de control: algunas versiones leen el tamaño a 72 ppp. En el archivo no hay nada que no se pueda cortar. Añade él mismo el desvío y el sobrecorte de la cuchilla. Design Space imprime marcas propias (Print Then Cut), alrededor de 9,25 x 6,75 pulgadas como mucho: una impresión no lleva ninguna, y se rechaza si es mayor. Si el suyo admite más, aumente most_mm en una copia.</translation>
     </message>
     <message>
         <source>Upper end</source>
@@ -7205,6 +7573,10 @@
     <message>
         <source>What is cut is a line in the spot colour CutContour, which prints over the picture and leaves no gap in it. With artwork both are in artwork-print-and-cut-pdf.pdf. The shop's program adds marks of its own.</source>
         <translation>Lo que se corta es una línea en la tinta plana CutContour, que se imprime sobre la imagen y no deja hueco en ella. Con ilustración, ambas están en artwork-print-and-cut-pdf.pdf. El programa de la imprenta añade marcas propias.</translation>
+    </message>
+    <message>
+        <source>What is left of other film is of one film: choose patterns of one film for it.</source>
+        <translation>Los retales son de una sola película: elija para ellos patrones de una sola película.</translation>
     </message>
     <message>
         <source>What it can work on, such as 600 x 400 mm, or 600 mm for a roll; empty where there is no limit</source>
@@ -7375,6 +7747,10 @@
         <translation>Escribir el archivo aunque sea más grande que la cama</translation>
     </message>
     <message>
+        <source>Write the pieces as they lie to a PDF, in real size on pages</source>
+        <translation>Escribir las piezas como están en un PDF, a tamaño real en páginas</translation>
+    </message>
+    <message>
         <source>Write these frames as a moving picture, with the artwork, on white</source>
         <translation>Escribir estos fotogramas como animación, con la impresión, sobre blanco</translation>
     </message>
@@ -7385,6 +7761,10 @@
     <message>
         <source>Write {"a": ["top", 0, 1], "b": ["side", 3, 2]}.</source>
         <translation>Escriba {"a": ["top", 0, 1], "b": ["side", 3, 2]}.</translation>
+    </message>
+    <message>
+        <source>Write {"do": "add", "at": [[0.3, 0.5]]}.</source>
+        <translation>Escriba {"do": "add", "at": [[0.3, 0.5]]}.</translation>
     </message>
     <message>
         <source>Write {"do": "cut", "at": [[0, 0, 50], [100, 0, 20]]}.</source>
@@ -7427,12 +7807,20 @@
         <translation>Escrito en {}</translation>
     </message>
     <message>
+        <source>Written to {}, in real size on {}: print it at 100 %.</source>
+        <translation>Escrito en {}, a tamaño real en {}: imprímalo al 100 %.</translation>
+    </message>
+    <message>
         <source>Wrote {0}</source>
         <translation>Escrito: {0}</translation>
     </message>
     <message>
         <source>Yellow</source>
         <translation>Amarillo</translation>
+    </message>
+    <message>
+        <source>You paint on: {}</source>
+        <translation>Pinta en: {}</translation>
     </message>
     <message>
         <source>Young's modulus</source>
@@ -7731,8 +8119,8 @@
         <translation>película y válvula pesan {0}</translation>
     </message>
     <message>
-        <source>fitted to the photograph {0}</source>
-        <translation>ajustado a la fotografía {0}</translation>
+        <source>fitted to {0}</source>
+        <translation>ajustado a {0}</translation>
     </message>
     <message>
         <source>fold</source>
@@ -7757,6 +8145,10 @@
     <message>
         <source>glued seam inside</source>
         <translation>costura pegada interior</translation>
+    </message>
+    <message>
+        <source>grain at {}°</source>
+        <translation>fibra a {}°</translation>
     </message>
     <message>
         <source>height</source>
@@ -7993,6 +8385,10 @@
     <message>
         <source>min_power_percent of {0} is more than max_power_percent: exchange the two.</source>
         <translation>min_power_percent de {0} es mayor que max_power_percent: intercambie los dos.</translation>
+    </message>
+    <message>
+        <source>mirrored: its other side is up, with its print and sealing side</source>
+        <translation>reflejada: queda arriba su otro lado, con su impresión y su cara de sellado</translation>
     </message>
     <message>
         <source>more than</source>
@@ -8371,6 +8767,10 @@
         <translation>fiel a la forma</translation>
     </message>
     <message>
+        <source>turned by {}°</source>
+        <translation>girada {}°</translation>
+    </message>
+    <message>
         <source>unknown: this film has no strength</source>
         <translation>desconocida: esta película no tiene resistencia</translation>
     </message>
@@ -8519,6 +8919,10 @@
         <translation>{0} se sigue a sí mismo: elija algo que no esté hecho de él.</translation>
     </message>
     <message>
+        <source>{0} follows {1}: edit that.</source>
+        <translation>{0} sigue {1}: edite este último.</translation>
+    </message>
+    <message>
         <source>{0} gap between the lines closed, the widest {1} of the drawing's width.</source>
         <translation>{0} hueco cerrado entre las líneas, el mayor del {1} de la anchura del dibujo.</translation>
     </message>
@@ -8563,8 +8967,20 @@
         <translation>{0} no tiene globo: elija el que se va a variar.</translation>
     </message>
     <message>
+        <source>{0} has no drawing yet: choose a picture.</source>
+        <translation>{0} aún no tiene dibujo: elija una imagen.</translation>
+    </message>
+    <message>
+        <source>{0} has no outline to edit: choose a balloon from a picture.</source>
+        <translation>{0} no tiene un contorno que editar: elija un globo hecho de una imagen.</translation>
+    </message>
+    <message>
         <source>{0} has no pattern: choose a balloon.</source>
         <translation>{0} no tiene patrón: elija un globo.</translation>
+    </message>
+    <message>
+        <source>{0} has no piece {1}: its pieces are {2}.</source>
+        <translation>{0} no tiene ninguna pieza {1}: sus piezas son {2}.</translation>
     </message>
     <message>
         <source>{0} has no result yet: recompute it.</source>
@@ -8809,6 +9225,10 @@
     <message>
         <source>{0} is {1}: give numbers from {2} to {3}, the smaller one first.</source>
         <translation>{0} es {1}: indique números de {2} a {3}, el menor primero.</translation>
+    </message>
+    <message>
+        <source>{0} is {1}: give {2}, or leave it out.</source>
+        <translation>{0} es {1}: indique {2} u omítalo.</translation>
     </message>
     <message>
         <source>{0} is {1}: write it as {"value": ..., "source": "who says so"}.</source>
@@ -9198,6 +9618,10 @@
         <source>{}: {}, flat</source>
         <translation>{}: {}, plano</translation>
     </message>
+    <message>
+        <source>{}: {}, nodes</source>
+        <translation>{}: {}, nodos</translation>
+    </message>
 </context>
 <context>
     <name>BalloonWorkbench_Advice</name>
@@ -9263,6 +9687,17 @@
     <message>
         <source>Lay a photograph of the finished balloon over the simulated one, and see how near it came</source>
         <translation>Poner una fotografía del globo acabado sobre el simulado y ver cuánto se le acercó</translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_EditOutline</name>
+    <message>
+        <source>Edit outline</source>
+        <translation>Editar contorno</translation>
+    </message>
+    <message>
+        <source>Move, add and remove nodes of the outline over its picture, and set how the picture is read</source>
+        <translation>Mover, añadir y quitar nodos del contorno sobre su imagen, y ajustar cómo se lee la imagen</translation>
     </message>
 </context>
 <context>

@@ -240,6 +240,10 @@
         <translation>Comment ses extrémités basse et haute sont fermées</translation>
     </message>
     <message>
+        <source>How large each was then [mm]</source>
+        <translation>Taille de chacune alors [mm]</translation>
+    </message>
+    <message>
         <source>How many balloons are cut from the sheet</source>
         <translation>Nombre de ballons découpés dans la feuille</translation>
     </message>
@@ -274,6 +278,10 @@
     <message>
         <source>How the lower end is closed</source>
         <translation>Comment l'extrémité basse est fermée</translation>
+    </message>
+    <message>
+        <source>How the outline was edited by hand: nodes moved, added and removed, one JSON text each</source>
+        <translation>Comment le contour a été modifié à la main : nœuds déplacés, ajoutés et supprimés, un texte JSON chacun</translation>
     </message>
     <message>
         <source>How the seams were changed: panels merged, seams cut and moved, one JSON text each</source>
@@ -422,6 +430,10 @@
     <message>
         <source>Names of the panels and other pieces</source>
         <translation>Noms des panneaux et des autres pièces</translation>
+    </message>
+    <message>
+        <source>Names of the pieces that have been arranged</source>
+        <translation>Noms des pièces qui ont été disposées</translation>
     </message>
     <message>
         <source>Notches to lay both films on each other by, evenly along the cut; of many panels, groups of them on each seam, 0 as many as its length needs</source>
@@ -924,6 +936,10 @@
         <translation>Où elle est cherchée : au plus loin du centre, ou en bas, où un ballon attaché pend droit</translation>
     </message>
     <message>
+        <source>Where the middle of each lies, turned and mirrored</source>
+        <translation>Où est le milieu de chacune, tournée et en miroir</translation>
+    </message>
+    <message>
         <source>Where the profile comes from without a sketch: a file, or the shape of a balloon without weight</source>
         <translation>D'où vient le profil sans esquisse : d'un fichier, ou de la forme d'un ballon sans poids</translation>
     </message>
@@ -1299,8 +1315,20 @@
         <translation>« {0} » est lu par FreeCAD, qui n'est pas là : installez-le pour le Python qui exécute ceci, ou donnez un STL du solide.</translation>
     </message>
     <message>
+        <source>'{}' has {} x {} pixels, more than {} million. Make it smaller; 2000 across are plenty.</source>
+        <translation>« {} » a {} x {} pixels, plus de {} millions. Réduisez-la ; 2000 pixels de large suffisent largement.</translation>
+    </message>
+    <message>
+        <source>'{}' is not a drawing of lines.</source>
+        <translation>« {} » n'est pas un dessin de lignes.</translation>
+    </message>
+    <message>
         <source>'{}' is not a picture. Save it as PNG, JPEG or BMP once more.</source>
         <translation>« {} » n'est pas une image. Enregistrez-la à nouveau en PNG, JPEG ou BMP.</translation>
+    </message>
+    <message>
+        <source>'{}' was painted with a newer release: update Film Balloon.</source>
+        <translation>« {} » a été peint avec une version plus récente : mettez Film Balloon à jour.</translation>
     </message>
     <message>
         <source>, about {0}</source>
@@ -1419,8 +1447,8 @@
         <translation>Un fichier de ce nom existe déjà</translation>
     </message>
     <message>
-        <source>A film of this name is there already</source>
-        <translation>Un film de ce nom existe déjà</translation>
+        <source>A film of this name is there already: else it gets the mean of all</source>
+        <translation>Un film de ce nom existe déjà : sinon il reçoit la moyenne de toutes les photos</translation>
     </message>
     <message>
         <source>A film of your own beside the balloon's, with what was found; it changes no pattern</source>
@@ -1505,6 +1533,10 @@
     <message>
         <source>A new Sketcher sketch of lines and arcs, to go on with in FreeCAD</source>
         <translation>Une nouvelle esquisse de lignes et d'arcs, pour continuer dans FreeCAD</translation>
+    </message>
+    <message>
+        <source>A node that moves needs a place to move to; nothing else does.</source>
+        <translation>Un nœud qui se déplace demande un endroit où aller ; rien d'autre n'en a.</translation>
     </message>
     <message>
         <source>A number of an intake is empty.</source>
@@ -1639,6 +1671,10 @@
         <translation>Un outil est celui d'une machine qui lit le G-code : donnez --machine gcode-grbl ou une autre.</translation>
     </message>
     <message>
+        <source>A tool that an axis turns does not swivel behind it: set knife_offset_mm to 0, or leave turning_axis out.</source>
+        <translation>Un outil qu'un axe tourne ne pivote pas derrière lui : mettez knife_offset_mm à 0, ou omettez turning_axis.</translation>
+    </message>
+    <message>
         <source>A volume of {0} cannot be made: give one such as 10l.</source>
         <translation>Un volume de {0} est impossible : donnez par exemple 10l.</translation>
     </message>
@@ -1767,6 +1803,14 @@
         <translation>Un embout de {0} ne dépasse pas la coupe : donnez-lui au moins {1}.</translation>
     </message>
     <message>
+        <source>An outline cannot be edited by "{0}": choose one of {1}.</source>
+        <translation>Un contour ne se modifie pas par « {0} » : choisissez parmi {1}.</translation>
+    </message>
+    <message>
+        <source>An outline keeps three nodes: move them instead.</source>
+        <translation>Un contour garde trois nœuds : déplacez-les plutôt.</translation>
+    </message>
+    <message>
         <source>Angle</source>
         <translation>Angle</translation>
     </message>
@@ -1781,6 +1825,14 @@
     <message>
         <source>Any</source>
         <translation>Quelconque</translation>
+    </message>
+    <message>
+        <source>Any colour</source>
+        <translation>Autre couleur</translation>
+    </message>
+    <message>
+        <source>Any colour (K)</source>
+        <translation>Autre couleur (K)</translation>
     </message>
     <message>
         <source>Any program (DXF)</source>
@@ -1857,6 +1909,10 @@
     <message>
         <source>Automatic</source>
         <translation>Automatique</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Axe</translation>
     </message>
     <message>
         <source>Back</source>
@@ -1973,6 +2029,10 @@
     <message>
         <source>Both panels are on the sheet: only the front one gets the hole of the nozzle. Cut it once.</source>
         <translation>Les deux panneaux sont sur la feuille : seul celui de devant reçoit le trou de la buse. Coupez-le une fois.</translation>
+    </message>
+    <message>
+        <source>Both sides</source>
+        <translation>Les deux côtés</translation>
     </message>
     <message>
         <source>Both sides of a seam must be equally long</source>
@@ -2111,12 +2171,20 @@
         <translation>Choisissez les patrons à disposer.</translation>
     </message>
     <message>
+        <source>Circle</source>
+        <translation>Cercle</translation>
+    </message>
+    <message>
         <source>Click a seam: its panels become one. Esc: done.</source>
         <translation>Cliquez sur une couture : ses panneaux n'en font plus qu'un. Échap : terminé.</translation>
     </message>
     <message>
         <source>Click a seam: the panels beside it become one</source>
         <translation>Cliquez sur une couture : les panneaux de part et d'autre n'en font plus qu'un</translation>
+    </message>
+    <message>
+        <source>Click an edge to see what it is sealed to, drag a piece to move it.</source>
+        <translation>Cliquez sur un bord pour voir à quoi il est soudé, tirez une pièce pour la déplacer.</translation>
     </message>
     <message>
         <source>Click an edge to see what it is sealed to.</source>
@@ -2131,6 +2199,14 @@
         <translation>Cliquer les deux bouts d'une règle dans l'image, ou d'une autre longueur connue</translation>
     </message>
     <message>
+        <source>Click on the paper, then type</source>
+        <translation>Cliquez sur la feuille, puis tapez</translation>
+    </message>
+    <message>
+        <source>Click the line for a new node; drag nodes; Delete removes them; S: sharp or round.</source>
+        <translation>Cliquez sur la ligne pour un nouveau nœud ; tirez les nœuds ; Suppr les enlève ; S : pointu ou rond.</translation>
+    </message>
+    <message>
         <source>Click to see it larger</source>
         <translation>Cliquer pour la voir en plus grand</translation>
     </message>
@@ -2141,6 +2217,10 @@
     <message>
         <source>Click two points to measure between them.</source>
         <translation>Cliquez sur deux points pour mesurer entre eux.</translation>
+    </message>
+    <message>
+        <source>Click where it shall stand and type; pull it, or its corner. Enter paints it, Esc drops it.</source>
+        <translation>Cliquez là où le texte doit être et tapez ; tirez-le, ou son coin. Entrée le peint, Échap l'abandonne.</translation>
     </message>
     <message>
         <source>Click where the new seam begins. Esc: done.</source>
@@ -2159,8 +2239,16 @@
         <translation>Fermez d'abord le panneau de tâches ouvert.</translation>
     </message>
     <message>
+        <source>Cloud</source>
+        <translation>Nuage</translation>
+    </message>
+    <message>
         <source>Colour map</source>
         <translation>Carte de couleurs</translation>
+    </message>
+    <message>
+        <source>Colour {}</source>
+        <translation>Couleur {}</translation>
     </message>
     <message>
         <source>Columns from the left: {0}</source>
@@ -2195,6 +2283,10 @@
         <translation>Copier</translation>
     </message>
     <message>
+        <source>Copy (Ctrl+C)</source>
+        <translation>Copier (Ctrl+C)</translation>
+    </message>
+    <message>
         <source>Corner relief</source>
         <translation>Dégagement d'angle</translation>
     </message>
@@ -2217,6 +2309,10 @@
     <message>
         <source>Cut</source>
         <translation>Couper</translation>
+    </message>
+    <message>
+        <source>Cut (Ctrl+X)</source>
+        <translation>Couper (Ctrl+X)</translation>
     </message>
     <message>
         <source>Cut all panels from {film}, as they are drawn: so they are seen from outside, with the sealing side below.</source>
@@ -2267,6 +2363,10 @@
         <translation>Les fichiers DXF demandent le paquet Python ezdxf. Installez-le par « pip install ezdxf », ou enregistrez le dessin en SVG.</translation>
     </message>
     <message>
+        <source>Decoration</source>
+        <translation>Décor</translation>
+    </message>
+    <message>
         <source>Delete</source>
         <translation>Supprimer</translation>
     </message>
@@ -2313,6 +2413,10 @@
     <message>
         <source>Done</source>
         <translation>Terminé</translation>
+    </message>
+    <message>
+        <source>Done (Esc)</source>
+        <translation>Terminé (Échap)</translation>
     </message>
     <message>
         <source>Dots per inch</source>
@@ -2375,6 +2479,10 @@
         <translation>Dessiné comme</translation>
     </message>
     <message>
+        <source>Drop</source>
+        <translation>Goutte</translation>
+    </message>
+    <message>
         <source>Dwell</source>
         <translation>Temporisation</translation>
     </message>
@@ -2405,6 +2513,14 @@
     <message>
         <source>Edit film</source>
         <translation>Modifier la feuille de film</translation>
+    </message>
+    <message>
+        <source>Edit outline</source>
+        <translation>Modifier le contour</translation>
+    </message>
+    <message>
+        <source>Edit outline ...</source>
+        <translation>Modifier le contour ...</translation>
     </message>
     <message>
         <source>Edit study</source>
@@ -2651,8 +2767,16 @@
         <translation>Ajustement du patron</translation>
     </message>
     <message>
+        <source>Flat pieces</source>
+        <translation>Pièces à plat</translation>
+    </message>
+    <message>
         <source>Flattening needs scipy: install it with pip install scipy.</source>
         <translation>La mise à plat demande scipy : installez-le par pip install scipy.</translation>
+    </message>
+    <message>
+        <source>Flower</source>
+        <translation>Fleur</translation>
     </message>
     <message>
         <source>Folder</source>
@@ -2671,6 +2795,14 @@
         <translation>Suit le corps</translation>
     </message>
     <message>
+        <source>Font</source>
+        <translation>Police</translation>
+    </message>
+    <message>
+        <source>For Send to Silhouette of inkscape-silhouette. It looks for four marks, which lie on the layer Regmarks, are not cut, 10 mm from the edges of A4 and 190 and 277 mm apart: give that there, and four marks. Nothing is cut outside them. For other paper change page_mm in a copy.</source>
+        <translation>Pour Send to Silhouette d'inkscape-silhouette. Il cherche quatre repères, qui sont sur le calque Regmarks, ne sont pas coupés, à 10 mm des bords d'une A4 et à 190 et 277 mm l'un de l'autre : indiquez-le là-bas, ainsi que quatre repères. Rien n'est coupé en dehors d'eux. Pour un autre papier, changez page_mm dans une copie.</translation>
+    </message>
+    <message>
         <source>For Send to Silhouette of inkscape-silhouette. The marks of a print lie on the layer Regmarks, which is not cut, 10 mm from the edges of A4 and 190 and 277 mm apart: give that there. Nothing is cut outside them. For other paper change page_mm in a copy.</source>
         <translation>Pour Send to Silhouette d'inkscape-silhouette. Les repères d'une impression sont sur le calque Regmarks, qui n'est pas coupé, à 10 mm des bords d'une A4 et à 190 et 277 mm l'un de l'autre : indiquez-le là-bas. Rien n'est coupé en dehors d'eux. Pour un autre papier, changez page_mm dans une copie.</translation>
     </message>
@@ -2685,6 +2817,10 @@
     <message>
         <source>Forced</source>
         <translation>Forcée</translation>
+    </message>
+    <message>
+        <source>Forget earlier photographs</source>
+        <translation>Oublier les photos antérieures</translation>
     </message>
     <message>
         <source>Form</source>
@@ -2741,6 +2877,10 @@
     <message>
         <source>G-code, and no other format, has a tool: give both or none.</source>
         <translation>Le G-code, et aucun autre format, a un outil : donnez les deux ou aucun.</translation>
+    </message>
+    <message>
+        <source>GRBL knows X, Y and Z only: leave turning_axis out, or take LinuxCNC or Marlin where an axis turns the tool.</source>
+        <translation>GRBL ne connaît que X, Y et Z : omettez turning_axis, ou prenez LinuxCNC ou Marlin là où un axe tourne l'outil.</translation>
     </message>
     <message>
         <source>GRBL machine (G-code)</source>
@@ -2861,6 +3001,10 @@
     <message>
         <source>Half the outline and its axis; a copy of it travels in the document</source>
         <translation>Un demi-contour et son axe ; une copie voyage dans le document</translation>
+    </message>
+    <message>
+        <source>Heart</source>
+        <translation>Cœur</translation>
     </message>
     <message>
         <source>Heart from a spreadsheet</source>
@@ -3139,6 +3283,10 @@
         <translation>Assemblez les panneaux le long des lignes à l'intérieur du ballon.</translation>
     </message>
     <message>
+        <source>Joined</source>
+        <translation>Reliées</translation>
+    </message>
+    <message>
         <source>Keep it</source>
         <translation>Garder</translation>
     </message>
@@ -3231,6 +3379,10 @@
         <translation>Disposer</translation>
     </message>
     <message>
+        <source>Lay out anew</source>
+        <translation>Disposer à nouveau</translation>
+    </message>
+    <message>
         <source>Lay out on film</source>
         <translation>Disposer sur le film</translation>
     </message>
@@ -3299,6 +3451,10 @@
         <translation>Longueur nécessaire du rouleau habituel</translation>
     </message>
     <message>
+        <source>Let all pieces lie as the pattern lays them</source>
+        <translation>Poser toutes les pièces comme le patron les pose</translation>
+    </message>
+    <message>
         <source>Letter</source>
         <translation>Lettre</translation>
     </message>
@@ -3309,6 +3465,10 @@
     <message>
         <source>Letter with a side band</source>
         <translation>Lettre à bande latérale</translation>
+    </message>
+    <message>
+        <source>Letters on a ground that makes one balloon of them</source>
+        <translation>Des lettres sur un fond qui en fait un seul ballon</translation>
     </message>
     <message>
         <source>Letters, digits, spaces and - only</source>
@@ -3365,10 +3525,6 @@
     <message>
         <source>Look for the closest layout; Esc takes the best one so far</source>
         <translation>Chercher la disposition la plus serrée ; Échap prend la meilleure jusque-là</translation>
-    </message>
-    <message>
-        <source>Looking at the picture</source>
-        <translation>Examen de l'image</translation>
     </message>
     <message>
         <source>Loose ends of lines were joined to the drawing.</source>
@@ -3503,6 +3659,10 @@
         <translation>Miroir</translation>
     </message>
     <message>
+        <source>Mirror piece</source>
+        <translation>Refléter la pièce</translation>
+    </message>
+    <message>
         <source>Mode</source>
         <translation>Mode</translation>
     </message>
@@ -3515,12 +3675,24 @@
         <translation>Plus de fuseaux n'aident guère : changez le profil.</translation>
     </message>
     <message>
+        <source>More: text, stamps, layers, symmetry, any colour (Q)</source>
+        <translation>Plus : texte, tampons, calques, symétrie, autres couleurs (Q)</translation>
+    </message>
+    <message>
         <source>Move</source>
         <translation>Déplacer</translation>
     </message>
     <message>
+        <source>Move piece</source>
+        <translation>Déplacer la pièce</translation>
+    </message>
+    <message>
         <source>Move the pointer to bend the line, then click. Esc drops it.</source>
         <translation>Déplacez le pointeur pour courber la ligne, puis cliquez. Échap l'abandonne.</translation>
+    </message>
+    <message>
+        <source>Move, add and remove nodes of the outline in a tab, over the picture</source>
+        <translation>Déplacer, ajouter et enlever des nœuds du contour dans un onglet, sur l'image</translation>
     </message>
     <message>
         <source>My machines</source>
@@ -3603,8 +3775,16 @@
         <translation>Nouveau corps de fuseaux</translation>
     </message>
     <message>
+        <source>New, laid beside the others: {}.</source>
+        <translation>Nouvelles, posées à côté des autres : {}.</translation>
+    </message>
+    <message>
         <source>Newmark</source>
         <translation>Newmark</translation>
+    </message>
+    <message>
+        <source>No axis turns a {0}: leave {1} out.</source>
+        <translation>Aucun axe ne tourne cet outil ({0}) : omettez {1}.</translation>
     </message>
     <message>
         <source>No balloon came within {0} of the body's diagonal: tried were {1} panels. This is the nearest one, {2}. Ask for less, or divide the body yourself where the film stays far from it.</source>
@@ -3633,6 +3813,10 @@
     <message>
         <source>No limit</source>
         <translation>Sans limite</translation>
+    </message>
+    <message>
+        <source>No longer in the pattern, with their places: {}.</source>
+        <translation>Ne sont plus dans le patron, avec leurs places : {}.</translation>
     </message>
     <message>
         <source>No number of panels up to {} comes so near. {} panels: about {} off</source>
@@ -3827,6 +4011,10 @@
         <translation>D'une carte on garde un champ : donnez --keep B3, ou un autre, et --name.</translation>
     </message>
     <message>
+        <source>Of a symmetric outline the other side is edited, too</source>
+        <translation>D'un contour symétrique, l'autre côté est modifié aussi</translation>
+    </message>
+    <message>
         <source>Of the bodies of the mesh only the largest is made; all in all there are: {0}.</source>
         <translation>Des corps du maillage, seul le plus grand est fait ; en tout il y en a : {0}.</translation>
     </message>
@@ -3837,6 +4025,10 @@
     <message>
         <source>Of the tip or wheel, 40 to 400 °C. Above 260 °C a layer of PTFE gives off poisonous fumes</source>
         <translation>De la pointe ou de la roue, de 40 à 400 °C. Au-dessus de 260 °C, une couche de PTFE dégage des fumées toxiques</translation>
+    </message>
+    <message>
+        <source>Of {0}: sheet {1}.</source>
+        <translation>En {0} : feuille {1}.</translation>
     </message>
     <message>
         <source>Off</source>
@@ -3967,6 +4159,30 @@
         <translation>Contour</translation>
     </message>
     <message>
+        <source>Outline edit {0} at {1} is left out. {2}</source>
+        <translation>La modification {0} du contour en {1} est omise. {2}</translation>
+    </message>
+    <message>
+        <source>Outline edit {0} does none of {1}. {2}</source>
+        <translation>La modification {0} du contour ne fait rien de {1}. {2}</translation>
+    </message>
+    <message>
+        <source>Outline edit {0} has an 'at' that does not fit. {1}</source>
+        <translation>La modification {0} du contour a un 'at' qui ne convient pas. {1}</translation>
+    </message>
+    <message>
+        <source>Outline edit {0} has an unknown '{1}'. Use {2}.</source>
+        <translation>La modification {0} du contour a un « {1} » inconnu. Utilisez {2}.</translation>
+    </message>
+    <message>
+        <source>Outline edit {0} has no place [x, y] as its 'to', or one too many. {1}</source>
+        <translation>La modification {0} du contour n'a pas d'endroit [x, y] comme 'to', ou en a un de trop. {1}</translation>
+    </message>
+    <message>
+        <source>Outline edit {0}: 'mirrored' is true or false.</source>
+        <translation>Modification {0} du contour : 'mirrored' est true ou false.</translation>
+    </message>
+    <message>
         <source>Outline {}</source>
         <translation>Contour {}</translation>
     </message>
@@ -3999,6 +4215,10 @@
         <translation>Peindre un ballon</translation>
     </message>
     <message>
+        <source>Paint a shape first: the decoration is seen on it alone.</source>
+        <translation>Peignez d'abord une forme : le décor ne se voit que sur elle.</translation>
+    </message>
+    <message>
         <source>Paint both sides at once, mirrored (M)</source>
         <translation>Peindre les deux côtés à la fois, en miroir (M)</translation>
     </message>
@@ -4007,8 +4227,20 @@
         <translation>Peindre à traits larges et doux : ce qui est peint devient un ballon.</translation>
     </message>
     <message>
+        <source>Paint so many times around a centre ( , fewer, . more)</source>
+        <translation>Peindre autant de fois autour d'un centre ( , moins, . plus)</translation>
+    </message>
+    <message>
         <source>Paint something first: a closed line is enough.</source>
         <translation>Peignez d'abord quelque chose : une ligne fermée suffit.</translation>
+    </message>
+    <message>
+        <source>Paint what becomes the outline (D)</source>
+        <translation>Peindre ce qui devient le contour (D)</translation>
+    </message>
+    <message>
+        <source>Paint what is printed on the film and leaves the outline as it is (D)</source>
+        <translation>Peindre ce qui est imprimé sur le film et laisse le contour tel quel (D)</translation>
     </message>
     <message>
         <source>Painted balloon</source>
@@ -4139,6 +4371,10 @@
         <translation>Des parties du ballon peuvent pencher d'un côté ou de l'autre : le contour gonflé est à {0} à {1} du dessin. Une autre largeur de la bande latérale peut les tenir.</translation>
     </message>
     <message>
+        <source>Paste (Ctrl+V)</source>
+        <translation>Coller (Ctrl+V)</translation>
+    </message>
+    <message>
         <source>Pattern</source>
         <translation>Patron</translation>
     </message>
@@ -4249,6 +4485,10 @@
     <message>
         <source>Pieces: {}, on {}, {} used</source>
         <translation>Pièces : {}, sur {}, {} utilisés</translation>
+    </message>
+    <message>
+        <source>Pipette</source>
+        <translation>Pipette</translation>
     </message>
     <message>
         <source>Pixels</source>
@@ -4363,12 +4603,20 @@
         <translation>Pression : {0}</translation>
     </message>
     <message>
+        <source>Print</source>
+        <translation>Imprimer</translation>
+    </message>
+    <message>
         <source>Print at 100 % ("actual size"). The bar below must be 100 mm long.</source>
         <translation>Imprimez à 100 % (« taille réelle »). La barre ci-dessous doit mesurer 100 mm.</translation>
     </message>
     <message>
         <source>Print shop (PDF with CutContour)</source>
         <translation>Imprimeur (PDF avec CutContour)</translation>
+    </message>
+    <message>
+        <source>Print the pieces</source>
+        <translation>Imprimer les pièces</translation>
     </message>
     <message>
         <source>Print {0} at {1} dpi, all panels</source>
@@ -4385,6 +4633,22 @@
     <message>
         <source>Pull a line; then move the pointer to bend it, and click. A right click keeps it straight.</source>
         <translation>Tirez une ligne, puis déplacez le pointeur pour la courber et cliquez. Un clic droit la garde droite.</translation>
+    </message>
+    <message>
+        <source>Pull a rectangle to copy (Ctrl+C) or cut (Ctrl+X); without one that is all. Ctrl+V pastes.</source>
+        <translation>Tirez un rectangle pour copier (Ctrl+C) ou couper (Ctrl+X) ; sans lui, c'est tout. Ctrl+V colle.</translation>
+    </message>
+    <message>
+        <source>Pull a shape to its size, up or down to turn it; Shift keeps it upright.</source>
+        <translation>Tirez une forme à sa taille, vers le haut ou le bas pour la tourner ; Maj la garde droite.</translation>
+    </message>
+    <message>
+        <source>Pull it to its place. Enter paints it, Esc drops it.</source>
+        <translation>Tirez l'image à sa place. Entrée la peint, Échap l'abandonne.</translation>
+    </message>
+    <message>
+        <source>Pull the centre of the symmetry to its place, and turn its axis by the ring</source>
+        <translation>Tirez le centre de la symétrie à sa place, et tournez son axe par l'anneau</translation>
     </message>
     <message>
         <source>Pull the paper. The middle button, or the space bar, does it with every tool; the wheel zooms.</source>
@@ -4443,8 +4707,16 @@
         <translation>Taille réelle, à découper à la main. Imprimez à 100 % et mesurez la barre de contrôle.</translation>
     </message>
     <message>
+        <source>Rectangle</source>
+        <translation>Rectangle</translation>
+    </message>
+    <message>
         <source>Red</source>
         <translation>Rouge</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rétablir</translation>
     </message>
     <message>
         <source>Redo (Ctrl+Y)</source>
@@ -4459,16 +4731,16 @@
         <translation>Chutes</translation>
     </message>
     <message>
+        <source>Remove (Del)</source>
+        <translation>Enlever (Suppr)</translation>
+    </message>
+    <message>
         <source>Repair</source>
         <translation>Réparer</translation>
     </message>
     <message>
         <source>Repair {0} cannot be read: delete it from Repairs.</source>
         <translation>La réparation {0} est illisible : effacez-la de « Repairs ».</translation>
-    </message>
-    <message>
-        <source>Replace it</source>
-        <translation>Remplacer</translation>
     </message>
     <message>
         <source>Replace the file</source>
@@ -4823,6 +5095,10 @@
         <translation>Second panneau, en miroir</translation>
     </message>
     <message>
+        <source>Select</source>
+        <translation>Sélection</translation>
+    </message>
+    <message>
         <source>Select a sketch of half the outline, or choose where the profile comes from.</source>
         <translation>Choisissez une esquisse d'un demi-contour, ou d'où vient le profil.</translation>
     </message>
@@ -4833,6 +5109,10 @@
     <message>
         <source>Select a solid or a mesh, or choose a file.</source>
         <translation>Sélectionnez un solide ou un maillage, ou choisissez un fichier.</translation>
+    </message>
+    <message>
+        <source>Select all (Ctrl+A)</source>
+        <translation>Tout sélectionner (Ctrl+A)</translation>
     </message>
     <message>
         <source>Select another</source>
@@ -4871,6 +5151,10 @@
         <translation>Les ombres sur le fond ont été enlevées.</translation>
     </message>
     <message>
+        <source>Shape</source>
+        <translation>Forme</translation>
+    </message>
+    <message>
         <source>Shape that stays flat</source>
         <translation>Forme qui reste plate</translation>
     </message>
@@ -4883,12 +5167,20 @@
         <translation>Part de la pleine puissance du laser ; vide : pas encore connue</translation>
     </message>
     <message>
+        <source>Sharp or round (S)</source>
+        <translation>Pointu ou rond (S)</translation>
+    </message>
+    <message>
         <source>Sheet length</source>
         <translation>Longueur de feuille</translation>
     </message>
     <message>
         <source>Sheet {} of {}</source>
         <translation>Feuille {} sur {}</translation>
+    </message>
+    <message>
+        <source>Show all (0)</source>
+        <translation>Montrer tout (0)</translation>
     </message>
     <message>
         <source>Show all pieces (0)</source>
@@ -4901,6 +5193,10 @@
     <message>
         <source>Show the whole paper (0)</source>
         <translation>Montrer toute la feuille (0)</translation>
+    </message>
+    <message>
+        <source>Shown on the pieces</source>
+        <translation>Montré sur les pièces</translation>
     </message>
     <message>
         <source>Shown sheet</source>
@@ -4925,6 +5221,10 @@
     <message>
         <source>Side {0} of seam {1} runs the wrong way at {2}, which would seal the outside of the film to its inside, as in a Moebius strip: it goes {3} its loop. Swap the two points of {4}.</source>
         <translation>Le côté {0} de la couture {1} va à l'envers à {2}, ce qui souderait l'extérieur du film à son intérieur, comme dans un ruban de Möbius : il va {3} sa boucle. Échangez les deux points de {4}.</translation>
+    </message>
+    <message>
+        <source>Silhouette Cameo 5 Alpha from Inkscape</source>
+        <translation>Silhouette Cameo 5 Alpha depuis Inkscape</translation>
     </message>
     <message>
         <source>Silhouette Studio (vinyl cutter)</source>
@@ -5009,6 +5309,14 @@
     <message>
         <source>Spot in 16 panels</source>
         <translation>La vache Spot en 16 panneaux</translation>
+    </message>
+    <message>
+        <source>Stamp</source>
+        <translation>Tampon</translation>
+    </message>
+    <message>
+        <source>Star</source>
+        <translation>Étoile</translation>
     </message>
     <message>
         <source>Start values for welding: {0} ({1}).</source>
@@ -5115,6 +5423,10 @@
         <translation>Fixées à un panneau</translation>
     </message>
     <message>
+        <source>Take a colour from the painting, or the picture under it</source>
+        <translation>Prendre une couleur de la peinture, ou de l'image dessous</translation>
+    </message>
+    <message>
         <source>Take a tool to change the seams, or choose one and press Delete to merge.</source>
         <translation>Prenez un outil pour changer les coutures, ou choisissez-en une et appuyez sur Suppr pour fusionner.</translation>
     </message>
@@ -5203,6 +5515,10 @@
         <translation>Cartes d'essai</translation>
     </message>
     <message>
+        <source>Text</source>
+        <translation>Texte</translation>
+    </message>
+    <message>
         <source>That of the front</source>
         <translation>Celle du devant</translation>
     </message>
@@ -5217,6 +5533,10 @@
     <message>
         <source>That would take {0} pages: choose larger paper or a smaller balloon.</source>
         <translation>Cela ferait {0} pages : choisissez un papier plus grand ou un ballon plus petit.</translation>
+    </message>
+    <message>
+        <source>The "as_made" of the film {0} cannot be read: delete it from the file.</source>
+        <translation>Le « as_made » du film {0} est illisible : effacez-le du fichier.</translation>
     </message>
     <message>
         <source>The 'at' of seam {0} of the list is no list of places. {1}</source>
@@ -5285,6 +5605,10 @@
     <message>
         <source>The DXF file {0}; millimetres are assumed.</source>
         <translation>Le fichier DXF {0} ; des millimètres sont supposés.</translation>
+    </message>
+    <message>
+        <source>The G-code turns the tool by {0}. FreeCAD takes that axis for one that turns the work: its 3D view shows the path turned.</source>
+        <translation>Le G-code tourne l'outil par {0}. FreeCAD prend cet axe pour un axe qui tourne la pièce usinée : sa vue 3D montre le parcours tourné.</translation>
     </message>
     <message>
         <source>The JSON file cannot be read ({0}). {1}</source>
@@ -5389,6 +5713,10 @@
     <message>
         <source>The altitude {0} m is out of range: give one up to 11000 m.</source>
         <translation>L'altitude {0} m est hors limites : donnez au plus 11000 m.</translation>
+    </message>
+    <message>
+        <source>The axis that turns the wheel or knife along the path, 0 along X, counter-clockwise from above; none for one that swivels or is round</source>
+        <translation>L'axe qui tourne la roue ou la lame le long du parcours, 0 selon X, dans le sens inverse des aiguilles vu d'en haut ; aucun pour un outil qui pivote de lui-même ou qui est rond</translation>
     </message>
     <message>
         <source>The bag has no opening through which it is filled. Name the edge at which it stays open, such as edge 1 of panel '{0}', or make it without an intake.</source>
@@ -5509,6 +5837,10 @@
     <message>
         <source>The connection to {0} ended before the whole native solver had come. Try again. {1}</source>
         <translation>La connexion à {0} s'est terminée avant que tout le solveur natif soit arrivé. Réessayez. {1}</translation>
+    </message>
+    <message>
+        <source>The copied picture</source>
+        <translation>L'image copiée</translation>
     </message>
     <message>
         <source>The cutter finds the four discs round a print itself. VersaWorks prints discs of its own: give it the PDF for print and cut instead. The layer REGISTRATION is not cut.</source>
@@ -5723,8 +6055,8 @@
         <translation>Le dossier « {0} » a disparu : rétablissez-le ou choisissez-en un autre, et relancez l'étude.</translation>
     </message>
     <message>
-        <source>The free edition opens DXF, not SVG. Choose "as is" for the size in the import preferences. Silhouette adds the knife's offset and overcut. Nothing is in the file that may not be cut. Studio draws registration marks itself, print them from there; or set page A4, inset 10 mm, length 8.4 mm and thickness 1 mm there and lay the file's marks on them, not to be cut: a print has the same. Nothing is cut outside them.</source>
-        <translation>L'édition gratuite ouvre le DXF, pas le SVG. Choisissez « tel quel » pour la taille dans les préférences d'importation. Silhouette ajoute le décalage de la lame et la surcoupe. Rien dans le fichier n'est à ne pas couper. Studio dessine lui-même les repères, imprimez-les de là ; ou réglez-y page A4, retrait 10 mm, longueur 8.4 mm et épaisseur 1 mm, et posez dessus les repères du fichier, sans les couper : une impression a les mêmes. Rien n'est coupé en dehors d'eux.</translation>
+        <source>The free edition opens DXF, not SVG. Choose "as is" for the size in the import preferences. Silhouette adds the knife's offset and overcut. Nothing is in the file that may not be cut. Studio draws registration marks itself, print them from there; or set page A4, inset 10.01 mm, length 8.38 mm and thickness 0.99 mm there (0.394, 0.33 and 0.039 in) and lay the file's marks on them, not to be cut: a print has the same. Nothing is cut outside them.</source>
+        <translation>L'édition gratuite ouvre le DXF, pas le SVG. Choisissez « tel quel » pour la taille dans les préférences d'importation. Silhouette ajoute le décalage de la lame et la surcoupe. Rien dans le fichier n'est à ne pas couper. Studio dessine lui-même les repères, imprimez-les de là ; ou réglez-y page A4, retrait 10.01 mm, longueur 8.38 mm et épaisseur 0.99 mm (0.394, 0.33 et 0.039 pouce), et posez dessus les repères du fichier, sans les couper : une impression a les mêmes. Rien n'est coupé en dehors d'eux.</translation>
     </message>
     <message>
         <source>The goal has {0} combinations to choose from, of which each is tried: list 1 to {1}.</source>
@@ -6011,6 +6343,10 @@
         <translation>Le contour se croise ou se touche et ne peut pas être reflété ; séparez les lignes.</translation>
     </message>
     <message>
+        <source>The outline does not pass there any more: delete the edit.</source>
+        <translation>Le contour ne passe plus par là : effacez la modification.</translation>
+    </message>
+    <message>
         <source>The outline encloses no area; draw a closed shape with at least three corners.</source>
         <translation>Le contour n'entoure aucune surface ; tracez une forme fermée d'au moins trois sommets.</translation>
     </message>
@@ -6021,6 +6357,10 @@
     <message>
         <source>The outline has no straight upright side on its left, so its axis is missing. {0}</source>
         <translation>Le contour n'a pas de côté droit et vertical à sa gauche, son axe manque donc. {0}</translation>
+    </message>
+    <message>
+        <source>The outline runs another way there: delete the edit.</source>
+        <translation>Le contour y passe autrement : effacez la modification.</translation>
     </message>
     <message>
         <source>The outline's {0} of {1} cannot be made; bring it to a size between 1 mm and 100 m.</source>
@@ -6627,10 +6967,6 @@
         <translation>Il peut y avoir de 1 à {0} copies, pas {1}.</translation>
     </message>
     <message>
-        <source>There is a film {0} already: say that it may be replaced.</source>
-        <translation>Il y a déjà un film {0} : dites qu'il peut être remplacé.</translation>
-    </message>
-    <message>
         <source>There is a machine {0} already: give this one another name.</source>
         <translation>Il y a déjà une machine {0} : donnez un autre nom à celle-ci.</translation>
     </message>
@@ -6671,6 +7007,14 @@
         <translation>Il n'y a pas de gaz « {0} » : choisissez parmi {1}.</translation>
     </message>
     <message>
+        <source>There is no hole any more: delete the edit.</source>
+        <translation>Il n'y a plus de trou : effacez la modification.</translation>
+    </message>
+    <message>
+        <source>There is no hole at {0}: give a place on its edge.</source>
+        <translation>Il n'y a pas de trou en {0} : donnez un endroit sur son bord.</translation>
+    </message>
+    <message>
         <source>There is no intake "{0}": choose one of {1}.</source>
         <translation>Il n'y a pas d'embout « {0} » : choisissez parmi {1}.</translation>
     </message>
@@ -6699,6 +7043,10 @@
         <translation>Il n'y a pas encore de solveur natif à télécharger pour cette version. {0}</translation>
     </message>
     <message>
+        <source>There is no node near {0}: add one there.</source>
+        <translation>Il n'y a pas de nœud près de {0} : ajoutez-en un là.</translation>
+    </message>
+    <message>
         <source>There is no outline at {0} degrees from the centre: choose another intake angle.</source>
         <translation>Il n'y a pas de contour à {0} degrés du centre : choisissez un autre angle d'embout.</translation>
     </message>
@@ -6713,6 +7061,10 @@
     <message>
         <source>There is no paper "{0}": choose A4, A3 or Letter.</source>
         <translation>Il n'y a pas de papier « {0} » : choisissez A4, A3 ou Letter.</translation>
+    </message>
+    <message>
+        <source>There is no picture to paste: copy one first.</source>
+        <translation>Il n'y a pas d'image à coller : copiez-en une d'abord.</translation>
     </message>
     <message>
         <source>There is no picture to print: choose one, as the balloon has none of its own.</source>
@@ -6765,6 +7117,10 @@
     <message>
         <source>There is no symmetry "{0}": choose one of {1}.</source>
         <translation>Il n'y a pas de symétrie « {0} » : choisissez parmi {1}.</translation>
+    </message>
+    <message>
+        <source>There is nothing to copy: paint something, or select it.</source>
+        <translation>Il n'y a rien à copier : peignez quelque chose, ou sélectionnez-le.</translation>
     </message>
     <message>
         <source>There is too little memory for this: take a coarser mesh, or close other programs.</source>
@@ -6987,6 +7343,14 @@
         <translation>Essayez température et durée sur deux chutes : la soudure doit s'étirer ou se déchirer avant de s'ouvrir.</translation>
     </message>
     <message>
+        <source>Turn piece</source>
+        <translation>Tourner la pièce</translation>
+    </message>
+    <message>
+        <source>Turning axis</source>
+        <translation>Axe de rotation</translation>
+    </message>
+    <message>
         <source>Turns</source>
         <translation>Se rabat</translation>
     </message>
@@ -7035,6 +7399,10 @@
         <translation>Tapez deux endroits pour une coupe, comme 10 0 50; 10 20 50, ou choisissez une couture et tapez-en un.</translation>
     </message>
     <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
         <source>Undo (Ctrl+Z)</source>
         <translation>Annuler (Ctrl+Z)</translation>
     </message>
@@ -7055,8 +7423,8 @@
         <translation>Inconnu</translation>
     </message>
     <message>
-        <source>Upload the SVG as a cut image and compare the control bar: some versions read the size at 72 dpi. Nothing is in the file that may not be cut. It adds the knife's offset and overcut itself. Design Space prints marks of its own (Print Then Cut), round at most 183 x 270 mm on A4: a print has none, and is refused where it is larger.</source>
-        <translation>Chargez le SVG comme image à découper et comparez la barre de contrôle : certaines versions lisent la taille à 72 dpi. Rien dans le fichier n'est à ne pas couper. Le décalage de la lame et la surcoupe sont ajoutés d'office. Design Space imprime ses propres repères (Print Then Cut), autour de 183 x 270 mm au plus sur A4 : une impression n'en a pas, et est refusée si elle est plus grande.</translation>
+        <source>Upload the SVG as a cut image and compare the control bar: some versions read the size at 72 dpi. Nothing is in the file that may not be cut. It adds the knife's offset and overcut itself. Design Space prints marks of its own (Print Then Cut), round at most 9.25 x 6.75 in: a print has none, and is refused where it is larger. Where yours takes more, raise most_mm in a copy.</source>
+        <translation>Chargez le SVG comme image à découper et comparez la barre de contrôle : certaines versions lisent la taille à 72 dpi. Rien dans le fichier n'est à ne pas couper. Le décalage de la lame et la surcoupe sont ajoutés d'office. Design Space imprime ses propres repères (Print Then Cut), autour de 9.25 x 6.75 pouces au plus : une impression n'en a pas, et est refusée si elle est plus grande. Si le vôtre accepte plus, augmentez most_mm dans une copie.</translation>
     </message>
     <message>
         <source>Upper end</source>
@@ -7205,6 +7573,10 @@
     <message>
         <source>What is cut is a line in the spot colour CutContour, which prints over the picture and leaves no gap in it. With artwork both are in artwork-print-and-cut-pdf.pdf. The shop's program adds marks of its own.</source>
         <translation>Ce qui est coupé est une ligne dans le ton direct CutContour, qui s'imprime sur l'image sans y laisser de vide. Avec une illustration, les deux sont dans artwork-print-and-cut-pdf.pdf. Le programme de l'imprimeur ajoute ses propres repères.</translation>
+    </message>
+    <message>
+        <source>What is left of other film is of one film: choose patterns of one film for it.</source>
+        <translation>Les chutes sont d'un seul film : choisissez pour elles des patrons d'un seul film.</translation>
     </message>
     <message>
         <source>What it can work on, such as 600 x 400 mm, or 600 mm for a roll; empty where there is no limit</source>
@@ -7375,6 +7747,10 @@
         <translation>Écrire le fichier bien qu'il soit plus grand que le plateau</translation>
     </message>
     <message>
+        <source>Write the pieces as they lie to a PDF, in real size on pages</source>
+        <translation>Écrire les pièces comme elles sont posées dans un PDF, en taille réelle sur des pages</translation>
+    </message>
+    <message>
         <source>Write these frames as a moving picture, with the artwork, on white</source>
         <translation>Écrire ces images en animation, avec l'impression, sur fond blanc</translation>
     </message>
@@ -7385,6 +7761,10 @@
     <message>
         <source>Write {"a": ["top", 0, 1], "b": ["side", 3, 2]}.</source>
         <translation>Écrivez {"a": ["top", 0, 1], "b": ["side", 3, 2]}.</translation>
+    </message>
+    <message>
+        <source>Write {"do": "add", "at": [[0.3, 0.5]]}.</source>
+        <translation>Écrivez {"do": "add", "at": [[0.3, 0.5]]}.</translation>
     </message>
     <message>
         <source>Write {"do": "cut", "at": [[0, 0, 50], [100, 0, 20]]}.</source>
@@ -7427,12 +7807,20 @@
         <translation>Écrit dans {}</translation>
     </message>
     <message>
+        <source>Written to {}, in real size on {}: print it at 100 %.</source>
+        <translation>Écrit dans {}, en taille réelle sur {} : imprimez à 100 %.</translation>
+    </message>
+    <message>
         <source>Wrote {0}</source>
         <translation>{0} écrit</translation>
     </message>
     <message>
         <source>Yellow</source>
         <translation>Jaune</translation>
+    </message>
+    <message>
+        <source>You paint on: {}</source>
+        <translation>Vous peignez sur : {}</translation>
     </message>
     <message>
         <source>Young's modulus</source>
@@ -7731,8 +8119,8 @@
         <translation>film et valve pèsent {0}</translation>
     </message>
     <message>
-        <source>fitted to the photograph {0}</source>
-        <translation>ajusté à la photo {0}</translation>
+        <source>fitted to {0}</source>
+        <translation>ajusté à {0}</translation>
     </message>
     <message>
         <source>fold</source>
@@ -7757,6 +8145,10 @@
     <message>
         <source>glued seam inside</source>
         <translation>couture collée intérieure</translation>
+    </message>
+    <message>
+        <source>grain at {}°</source>
+        <translation>sens du film à {}°</translation>
     </message>
     <message>
         <source>height</source>
@@ -7993,6 +8385,10 @@
     <message>
         <source>min_power_percent of {0} is more than max_power_percent: exchange the two.</source>
         <translation>min_power_percent de {0} est plus que max_power_percent : échangez les deux.</translation>
+    </message>
+    <message>
+        <source>mirrored: its other side is up, with its print and sealing side</source>
+        <translation>en miroir : son autre face est dessus, avec son impression et sa face soudable</translation>
     </message>
     <message>
         <source>more than</source>
@@ -8371,6 +8767,10 @@
         <translation>forme fidèle</translation>
     </message>
     <message>
+        <source>turned by {}°</source>
+        <translation>tournée de {}°</translation>
+    </message>
+    <message>
         <source>unknown: this film has no strength</source>
         <translation>inconnue : ce film n'a pas de résistance</translation>
     </message>
@@ -8519,6 +8919,10 @@
         <translation>{0} se suit soi-même : choisissez ce qui n'en est pas fait.</translation>
     </message>
     <message>
+        <source>{0} follows {1}: edit that.</source>
+        <translation>{0} suit {1} : modifiez celui-ci.</translation>
+    </message>
+    <message>
         <source>{0} gap between the lines closed, the widest {1} of the drawing's width.</source>
         <translation>{0} écart entre les lignes fermé, large de {1} de la largeur du dessin.</translation>
     </message>
@@ -8563,8 +8967,20 @@
         <translation>{0} n'a pas de ballon : choisissez celui que l'on fait varier.</translation>
     </message>
     <message>
+        <source>{0} has no drawing yet: choose a picture.</source>
+        <translation>{0} n'a pas encore de dessin : choisissez une image.</translation>
+    </message>
+    <message>
+        <source>{0} has no outline to edit: choose a balloon from a picture.</source>
+        <translation>{0} n'a pas de contour à modifier : choisissez un ballon fait d'une image.</translation>
+    </message>
+    <message>
         <source>{0} has no pattern: choose a balloon.</source>
         <translation>{0} n'a pas de patron : choisissez un ballon.</translation>
+    </message>
+    <message>
+        <source>{0} has no piece {1}: its pieces are {2}.</source>
+        <translation>{0} n'a pas de pièce {1} : ses pièces sont {2}.</translation>
     </message>
     <message>
         <source>{0} has no result yet: recompute it.</source>
@@ -8809,6 +9225,10 @@
     <message>
         <source>{0} is {1}: give numbers from {2} to {3}, the smaller one first.</source>
         <translation>{0} est {1} : donnez des nombres de {2} à {3}, le plus petit d'abord.</translation>
+    </message>
+    <message>
+        <source>{0} is {1}: give {2}, or leave it out.</source>
+        <translation>{0} vaut {1} : donnez {2}, ou omettez-le.</translation>
     </message>
     <message>
         <source>{0} is {1}: write it as {"value": ..., "source": "who says so"}.</source>
@@ -9198,6 +9618,10 @@
         <source>{}: {}, flat</source>
         <translation>{} : {}, à plat</translation>
     </message>
+    <message>
+        <source>{}: {}, nodes</source>
+        <translation>{} : {}, nœuds</translation>
+    </message>
 </context>
 <context>
     <name>BalloonWorkbench_Advice</name>
@@ -9263,6 +9687,17 @@
     <message>
         <source>Lay a photograph of the finished balloon over the simulated one, and see how near it came</source>
         <translation>Poser une photo du ballon fini sur le ballon simulé, et voir de combien ils diffèrent</translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_EditOutline</name>
+    <message>
+        <source>Edit outline</source>
+        <translation>Modifier le contour</translation>
+    </message>
+    <message>
+        <source>Move, add and remove nodes of the outline over its picture, and set how the picture is read</source>
+        <translation>Déplacer, ajouter et enlever des nœuds du contour sur son image, et régler la lecture de l'image</translation>
     </message>
 </context>
 <context>

@@ -240,6 +240,10 @@
         <translation>下端と上端の閉じ方</translation>
     </message>
     <message>
+        <source>How large each was then [mm]</source>
+        <translation>そのときの各部品の大きさ [mm]</translation>
+    </message>
+    <message>
         <source>How many balloons are cut from the sheet</source>
         <translation>1 枚のシートから切り出す風船の数</translation>
     </message>
@@ -274,6 +278,10 @@
     <message>
         <source>How the lower end is closed</source>
         <translation>下端の閉じ方</translation>
+    </message>
+    <message>
+        <source>How the outline was edited by hand: nodes moved, added and removed, one JSON text each</source>
+        <translation>輪郭の手作業での編集：ノードの移動、追加、削除。1 つにつき 1 つの JSON テキスト</translation>
     </message>
     <message>
         <source>How the seams were changed: panels merged, seams cut and moved, one JSON text each</source>
@@ -422,6 +430,10 @@
     <message>
         <source>Names of the panels and other pieces</source>
         <translation>パネルとほかの部品の名前</translation>
+    </message>
+    <message>
+        <source>Names of the pieces that have been arranged</source>
+        <translation>並べ替えた部品の名前</translation>
     </message>
     <message>
         <source>Notches to lay both films on each other by, evenly along the cut; of many panels, groups of them on each seam, 0 as many as its length needs</source>
@@ -924,6 +936,10 @@
         <translation>自動で決める位置：中心から最も遠い所、または結んだ風船が真っすぐ下がる低い所</translation>
     </message>
     <message>
+        <source>Where the middle of each lies, turned and mirrored</source>
+        <translation>各部品の中心の位置、回転、反転</translation>
+    </message>
+    <message>
         <source>Where the profile comes from without a sketch: a file, or the shape of a balloon without weight</source>
         <translation>スケッチがないときの断面：ファイル、または重さのない風船の形</translation>
     </message>
@@ -1299,8 +1315,20 @@
         <translation>「{0}」を読むのに必要な FreeCAD がありません。これを実行している Python から使えるように入れるか、ソリッドの STL を渡してください。</translation>
     </message>
     <message>
+        <source>'{}' has {} x {} pixels, more than {} million. Make it smaller; 2000 across are plenty.</source>
+        <translation>「{}」は {} x {} ピクセルで、{} 百万を超えています。小さくしてください。幅 2000 ピクセルあれば十分です。</translation>
+    </message>
+    <message>
+        <source>'{}' is not a drawing of lines.</source>
+        <translation>「{}」は線の図ではありません。</translation>
+    </message>
+    <message>
         <source>'{}' is not a picture. Save it as PNG, JPEG or BMP once more.</source>
         <translation>「{}」は画像ではありません。PNG、JPEG、BMP で保存し直してください。</translation>
+    </message>
+    <message>
+        <source>'{}' was painted with a newer release: update Film Balloon.</source>
+        <translation>「{}」は新しい版で描かれています。Film Balloon を更新してください。</translation>
     </message>
     <message>
         <source>, about {0}</source>
@@ -1419,8 +1447,8 @@
         <translation>この名前のファイルはすでにあります</translation>
     </message>
     <message>
-        <source>A film of this name is there already</source>
-        <translation>この名前のフィルムはすでにあります</translation>
+        <source>A film of this name is there already: else it gets the mean of all</source>
+        <translation>この名前のフィルムはすでにあります。選ばなければ、すべての写真の平均になります</translation>
     </message>
     <message>
         <source>A film of your own beside the balloon's, with what was found; it changes no pattern</source>
@@ -1505,6 +1533,10 @@
     <message>
         <source>A new Sketcher sketch of lines and arcs, to go on with in FreeCAD</source>
         <translation>FreeCAD で作業を続けるための、直線と円弧の新しいスケッチ</translation>
+    </message>
+    <message>
+        <source>A node that moves needs a place to move to; nothing else does.</source>
+        <translation>移動するノードには移動先が必要です。ほかの操作では指定しません。</translation>
     </message>
     <message>
         <source>A number of an intake is empty.</source>
@@ -1639,6 +1671,10 @@
         <translation>工具は G コードを読む機械のものです。--machine gcode-grbl などを指定してください。</translation>
     </message>
     <message>
+        <source>A tool that an axis turns does not swivel behind it: set knife_offset_mm to 0, or leave turning_axis out.</source>
+        <translation>軸が回す工具は、軸に遅れて自在に回ることはありません。knife_offset_mm を 0 にするか、turning_axis を外してください。</translation>
+    </message>
+    <message>
         <source>A volume of {0} cannot be made: give one such as 10l.</source>
         <translation>{0} の体積は作れません。10l のように指定してください。</translation>
     </message>
@@ -1767,6 +1803,14 @@
         <translation>{0} の注入口は切り線の外まで届きません。{1} 以上にしてください。</translation>
     </message>
     <message>
+        <source>An outline cannot be edited by "{0}": choose one of {1}.</source>
+        <translation>輪郭を「{0}」で編集することはできません。{1} から選んでください。</translation>
+    </message>
+    <message>
+        <source>An outline keeps three nodes: move them instead.</source>
+        <translation>輪郭にはノードが 3 つ必要です。消さずに動かしてください。</translation>
+    </message>
+    <message>
         <source>Angle</source>
         <translation>角度</translation>
     </message>
@@ -1781,6 +1825,14 @@
     <message>
         <source>Any</source>
         <translation>自由</translation>
+    </message>
+    <message>
+        <source>Any colour</source>
+        <translation>好きな色</translation>
+    </message>
+    <message>
+        <source>Any colour (K)</source>
+        <translation>好きな色（K）</translation>
     </message>
     <message>
         <source>Any program (DXF)</source>
@@ -1857,6 +1909,10 @@
     <message>
         <source>Automatic</source>
         <translation>自動</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>軸</translation>
     </message>
     <message>
         <source>Back</source>
@@ -1973,6 +2029,10 @@
     <message>
         <source>Both panels are on the sheet: only the front one gets the hole of the nozzle. Cut it once.</source>
         <translation>シートには 2 枚とも並んでいます。ノズルの穴は表側だけなので、1 回だけ切ってください。</translation>
+    </message>
+    <message>
+        <source>Both sides</source>
+        <translation>両側</translation>
     </message>
     <message>
         <source>Both sides of a seam must be equally long</source>
@@ -2111,12 +2171,20 @@
         <translation>並べる型紙を選んでください。</translation>
     </message>
     <message>
+        <source>Circle</source>
+        <translation>まる</translation>
+    </message>
+    <message>
         <source>Click a seam: its panels become one. Esc: done.</source>
         <translation>継ぎ目をクリックすると、両側のパネルが 1 枚になります。Esc：終了。</translation>
     </message>
     <message>
         <source>Click a seam: the panels beside it become one</source>
         <translation>継ぎ目をクリックすると、両側のパネルが 1 枚になります</translation>
+    </message>
+    <message>
+        <source>Click an edge to see what it is sealed to, drag a piece to move it.</source>
+        <translation>辺をクリックすると、どの辺とシールするかが分かります。部品はドラッグで動かせます。</translation>
     </message>
     <message>
         <source>Click an edge to see what it is sealed to.</source>
@@ -2131,6 +2199,14 @@
         <translation>画像の中の定規など、長さの分かるものの両端をクリックします</translation>
     </message>
     <message>
+        <source>Click on the paper, then type</source>
+        <translation>紙をクリックして入力</translation>
+    </message>
+    <message>
+        <source>Click the line for a new node; drag nodes; Delete removes them; S: sharp or round.</source>
+        <translation>線をクリックするとノードが増えます。ノードはドラッグで動かし、Delete で消します。S：角か丸か。</translation>
+    </message>
+    <message>
         <source>Click to see it larger</source>
         <translation>クリックすると大きく表示します</translation>
     </message>
@@ -2141,6 +2217,10 @@
     <message>
         <source>Click two points to measure between them.</source>
         <translation>二つの点をクリックすると、その間を測ります。</translation>
+    </message>
+    <message>
+        <source>Click where it shall stand and type; pull it, or its corner. Enter paints it, Esc drops it.</source>
+        <translation>文字を置く所をクリックして入力します。文字や角を引いて動かします。Enter で描き、Esc で取り消します。</translation>
     </message>
     <message>
         <source>Click where the new seam begins. Esc: done.</source>
@@ -2159,8 +2239,16 @@
         <translation>先に開いているタスクパネルを閉じてください。</translation>
     </message>
     <message>
+        <source>Cloud</source>
+        <translation>雲</translation>
+    </message>
+    <message>
         <source>Colour map</source>
         <translation>カラーマップ</translation>
+    </message>
+    <message>
+        <source>Colour {}</source>
+        <translation>色 {}</translation>
     </message>
     <message>
         <source>Columns from the left: {0}</source>
@@ -2195,6 +2283,10 @@
         <translation>コピー</translation>
     </message>
     <message>
+        <source>Copy (Ctrl+C)</source>
+        <translation>コピー（Ctrl+C）</translation>
+    </message>
+    <message>
         <source>Corner relief</source>
         <translation>角の逃げ</translation>
     </message>
@@ -2217,6 +2309,10 @@
     <message>
         <source>Cut</source>
         <translation>切る</translation>
+    </message>
+    <message>
+        <source>Cut (Ctrl+X)</source>
+        <translation>切り取り（Ctrl+X）</translation>
     </message>
     <message>
         <source>Cut all panels from {film}, as they are drawn: so they are seen from outside, with the sealing side below.</source>
@@ -2267,6 +2363,10 @@
         <translation>DXF ファイルには Python パッケージ ezdxf が必要です。「pip install ezdxf」で入れるか、図を SVG で保存してください。</translation>
     </message>
     <message>
+        <source>Decoration</source>
+        <translation>かざり</translation>
+    </message>
+    <message>
         <source>Delete</source>
         <translation>削除</translation>
     </message>
@@ -2313,6 +2413,10 @@
     <message>
         <source>Done</source>
         <translation>完了</translation>
+    </message>
+    <message>
+        <source>Done (Esc)</source>
+        <translation>完了 (Esc)</translation>
     </message>
     <message>
         <source>Dots per inch</source>
@@ -2375,6 +2479,10 @@
         <translation>描き方</translation>
     </message>
     <message>
+        <source>Drop</source>
+        <translation>しずく</translation>
+    </message>
+    <message>
         <source>Dwell</source>
         <translation>待ち時間</translation>
     </message>
@@ -2405,6 +2513,14 @@
     <message>
         <source>Edit film</source>
         <translation>フィルムの配置を編集</translation>
+    </message>
+    <message>
+        <source>Edit outline</source>
+        <translation>輪郭を編集</translation>
+    </message>
+    <message>
+        <source>Edit outline ...</source>
+        <translation>輪郭を編集 ...</translation>
     </message>
     <message>
         <source>Edit study</source>
@@ -2651,8 +2767,16 @@
         <translation>型紙を合わせています</translation>
     </message>
     <message>
+        <source>Flat pieces</source>
+        <translation>平らな部品</translation>
+    </message>
+    <message>
         <source>Flattening needs scipy: install it with pip install scipy.</source>
         <translation>平らに広げるには scipy が必要です。pip install scipy で入れてください。</translation>
+    </message>
+    <message>
+        <source>Flower</source>
+        <translation>花</translation>
     </message>
     <message>
         <source>Folder</source>
@@ -2671,6 +2795,14 @@
         <translation>立体に沿う</translation>
     </message>
     <message>
+        <source>Font</source>
+        <translation>フォント</translation>
+    </message>
+    <message>
+        <source>For Send to Silhouette of inkscape-silhouette. It looks for four marks, which lie on the layer Regmarks, are not cut, 10 mm from the edges of A4 and 190 and 277 mm apart: give that there, and four marks. Nothing is cut outside them. For other paper change page_mm in a copy.</source>
+        <translation>inkscape-silhouette の「Send to Silhouette」用です。四つの印を探します。印はレイヤー Regmarks にあり、切りません。印は A4 の縁から 10 mm、間隔は 190 mm と 277 mm です。その値と、印が四つであることを Send to Silhouette に入れてください。印の外は切りません。ほかの用紙では、コピーした機械の page_mm を変えてください。</translation>
+    </message>
+    <message>
         <source>For Send to Silhouette of inkscape-silhouette. The marks of a print lie on the layer Regmarks, which is not cut, 10 mm from the edges of A4 and 190 and 277 mm apart: give that there. Nothing is cut outside them. For other paper change page_mm in a copy.</source>
         <translation>inkscape-silhouette の「Send to Silhouette」用です。印刷の印はレイヤー Regmarks にあり、切りません。印は A4 の縁から 10 mm、間隔は 190 mm と 277 mm です。その値を Send to Silhouette に入れてください。印の外は切りません。ほかの用紙では、コピーした機械の page_mm を変えてください。</translation>
     </message>
@@ -2685,6 +2817,10 @@
     <message>
         <source>Forced</source>
         <translation>強制</translation>
+    </message>
+    <message>
+        <source>Forget earlier photographs</source>
+        <translation>前の写真を忘れる</translation>
     </message>
     <message>
         <source>Form</source>
@@ -2741,6 +2877,10 @@
     <message>
         <source>G-code, and no other format, has a tool: give both or none.</source>
         <translation>工具があるのは G コードだけで、ほかの形式にはありません。両方とも指定するか、両方とも外してください。</translation>
+    </message>
+    <message>
+        <source>GRBL knows X, Y and Z only: leave turning_axis out, or take LinuxCNC or Marlin where an axis turns the tool.</source>
+        <translation>GRBL には X、Y、Z しかありません。turning_axis を外すか、軸で工具を回すなら LinuxCNC か Marlin を使ってください。</translation>
     </message>
     <message>
         <source>GRBL machine (G-code)</source>
@@ -2861,6 +3001,10 @@
     <message>
         <source>Half the outline and its axis; a copy of it travels in the document</source>
         <translation>輪郭の半分と軸。写しが文書に入ります</translation>
+    </message>
+    <message>
+        <source>Heart</source>
+        <translation>ハート</translation>
     </message>
     <message>
         <source>Heart from a spreadsheet</source>
@@ -3139,6 +3283,10 @@
         <translation>風船の内側の線に沿って 2 枚を接合します。</translation>
     </message>
     <message>
+        <source>Joined</source>
+        <translation>つなげる</translation>
+    </message>
+    <message>
         <source>Keep it</source>
         <translation>残す</translation>
     </message>
@@ -3231,6 +3379,10 @@
         <translation>並べる</translation>
     </message>
     <message>
+        <source>Lay out anew</source>
+        <translation>並べ直す</translation>
+    </message>
+    <message>
         <source>Lay out on film</source>
         <translation>フィルムに並べる</translation>
     </message>
@@ -3299,6 +3451,10 @@
         <translation>必要な通常のロールの長さ</translation>
     </message>
     <message>
+        <source>Let all pieces lie as the pattern lays them</source>
+        <translation>すべての部品を型紙どおりの位置に戻します</translation>
+    </message>
+    <message>
         <source>Letter</source>
         <translation>文字の風船</translation>
     </message>
@@ -3309,6 +3465,10 @@
     <message>
         <source>Letter with a side band</source>
         <translation>側面の帯のある文字</translation>
+    </message>
+    <message>
+        <source>Letters on a ground that makes one balloon of them</source>
+        <translation>文字の下に土台を敷き、ひとつの風船にします</translation>
     </message>
     <message>
         <source>Letters, digits, spaces and - only</source>
@@ -3365,10 +3525,6 @@
     <message>
         <source>Look for the closest layout; Esc takes the best one so far</source>
         <translation>最も詰まった並べ方を探す（Esc でそれまでの最良を採用）</translation>
-    </message>
-    <message>
-        <source>Looking at the picture</source>
-        <translation>画像を調べています</translation>
     </message>
     <message>
         <source>Loose ends of lines were joined to the drawing.</source>
@@ -3503,6 +3659,10 @@
         <translation>反転</translation>
     </message>
     <message>
+        <source>Mirror piece</source>
+        <translation>部品を反転</translation>
+    </message>
+    <message>
         <source>Mode</source>
         <translation>モード</translation>
     </message>
@@ -3515,12 +3675,24 @@
         <translation>ゴアを増やしてもほとんど変わりません。断面を変えてください。</translation>
     </message>
     <message>
+        <source>More: text, stamps, layers, symmetry, any colour (Q)</source>
+        <translation>もっと：文字、スタンプ、レイヤー、対称、好きな色（Q）</translation>
+    </message>
+    <message>
         <source>Move</source>
         <translation>移動</translation>
     </message>
     <message>
+        <source>Move piece</source>
+        <translation>部品を移動</translation>
+    </message>
+    <message>
         <source>Move the pointer to bend the line, then click. Esc drops it.</source>
         <translation>ポインターを動かして線を曲げ、クリックします。Esc で取り消します。</translation>
+    </message>
+    <message>
+        <source>Move, add and remove nodes of the outline in a tab, over the picture</source>
+        <translation>タブの中で、画像の上の輪郭のノードを動かし、加え、消します</translation>
     </message>
     <message>
         <source>My machines</source>
@@ -3603,8 +3775,16 @@
         <translation>新しいゴアの立体</translation>
     </message>
     <message>
+        <source>New, laid beside the others: {}.</source>
+        <translation>新しい部品（ほかの隣に置きました）：{}。</translation>
+    </message>
+    <message>
         <source>Newmark</source>
         <translation>Newmark</translation>
+    </message>
+    <message>
+        <source>No axis turns a {0}: leave {1} out.</source>
+        <translation>この工具（{0}）を回す軸はありません。{1} を外してください。</translation>
     </message>
     <message>
         <source>No balloon came within {0} of the body's diagonal: tried were {1} panels. This is the nearest one, {2}. Ask for less, or divide the body yourself where the film stays far from it.</source>
@@ -3633,6 +3813,10 @@
     <message>
         <source>No limit</source>
         <translation>制限なし</translation>
+    </message>
+    <message>
+        <source>No longer in the pattern, with their places: {}.</source>
+        <translation>型紙からなくなった部品とその位置：{}。</translation>
     </message>
     <message>
         <source>No number of panels up to {} comes so near. {} panels: about {} off</source>
@@ -3827,6 +4011,10 @@
         <translation>カードからは一つの欄を残します: --keep B3 などと --name を指定してください。</translation>
     </message>
     <message>
+        <source>Of a symmetric outline the other side is edited, too</source>
+        <translation>対称な輪郭では、反対側も同じように編集します</translation>
+    </message>
+    <message>
         <source>Of the bodies of the mesh only the largest is made; all in all there are: {0}.</source>
         <translation>メッシュの立体のうち、最大のものだけを作ります。全部の数：{0}。</translation>
     </message>
@@ -3837,6 +4025,10 @@
     <message>
         <source>Of the tip or wheel, 40 to 400 °C. Above 260 °C a layer of PTFE gives off poisonous fumes</source>
         <translation>こて先やホイールの温度、40～400 °C。260 °C を超えると PTFE の敷き物が有毒な煙を出します</translation>
+    </message>
+    <message>
+        <source>Of {0}: sheet {1}.</source>
+        <translation>{0}：シート {1}。</translation>
     </message>
     <message>
         <source>Off</source>
@@ -3967,6 +4159,30 @@
         <translation>輪郭</translation>
     </message>
     <message>
+        <source>Outline edit {0} at {1} is left out. {2}</source>
+        <translation>輪郭の編集 {0}（{1}）を省きました。{2}</translation>
+    </message>
+    <message>
+        <source>Outline edit {0} does none of {1}. {2}</source>
+        <translation>輪郭の編集 {0} は {1} のどれでもありません。{2}</translation>
+    </message>
+    <message>
+        <source>Outline edit {0} has an 'at' that does not fit. {1}</source>
+        <translation>輪郭の編集 {0} の 'at' が正しくありません。{1}</translation>
+    </message>
+    <message>
+        <source>Outline edit {0} has an unknown '{1}'. Use {2}.</source>
+        <translation>輪郭の編集 {0} に不明な '{1}' があります。{2} を使ってください。</translation>
+    </message>
+    <message>
+        <source>Outline edit {0} has no place [x, y] as its 'to', or one too many. {1}</source>
+        <translation>輪郭の編集 {0} の 'to' に位置 [x, y] がないか、余分にあります。{1}</translation>
+    </message>
+    <message>
+        <source>Outline edit {0}: 'mirrored' is true or false.</source>
+        <translation>輪郭の編集 {0}：'mirrored' は true か false です。</translation>
+    </message>
+    <message>
         <source>Outline {}</source>
         <translation>輪郭 {}</translation>
     </message>
@@ -3999,6 +4215,10 @@
         <translation>風船を描く</translation>
     </message>
     <message>
+        <source>Paint a shape first: the decoration is seen on it alone.</source>
+        <translation>先に形を描いてください。かざりは形の上にだけ見えます。</translation>
+    </message>
+    <message>
         <source>Paint both sides at once, mirrored (M)</source>
         <translation>左右対称に同時に描く（M）</translation>
     </message>
@@ -4007,8 +4227,20 @@
         <translation>太く柔らかい線で塗ります。塗ったところが風船になります。</translation>
     </message>
     <message>
+        <source>Paint so many times around a centre ( , fewer, . more)</source>
+        <translation>中心のまわりに何回描くか（ , で減らし、. で増やす）</translation>
+    </message>
+    <message>
         <source>Paint something first: a closed line is enough.</source>
         <translation>先に何か描いてください。閉じた線 1 本で十分です。</translation>
+    </message>
+    <message>
+        <source>Paint what becomes the outline (D)</source>
+        <translation>輪郭になる形を描く（D）</translation>
+    </message>
+    <message>
+        <source>Paint what is printed on the film and leaves the outline as it is (D)</source>
+        <translation>フィルムに印刷する絵を描く。輪郭は変わりません（D）</translation>
     </message>
     <message>
         <source>Painted balloon</source>
@@ -4139,6 +4371,10 @@
         <translation>風船の一部がどちらかに傾くことがあります。ふくらんだ輪郭は図から {0}～{1} ずれます。側面の帯の幅を変えると安定することがあります。</translation>
     </message>
     <message>
+        <source>Paste (Ctrl+V)</source>
+        <translation>貼り付け（Ctrl+V）</translation>
+    </message>
+    <message>
         <source>Pattern</source>
         <translation>型紙</translation>
     </message>
@@ -4249,6 +4485,10 @@
     <message>
         <source>Pieces: {}, on {}, {} used</source>
         <translation>部品：{} 個、フィルム {}、使用率 {}</translation>
+    </message>
+    <message>
+        <source>Pipette</source>
+        <translation>スポイト</translation>
     </message>
     <message>
         <source>Pixels</source>
@@ -4363,12 +4603,20 @@
         <translation>圧力：{0}</translation>
     </message>
     <message>
+        <source>Print</source>
+        <translation>印刷</translation>
+    </message>
+    <message>
         <source>Print at 100 % ("actual size"). The bar below must be 100 mm long.</source>
         <translation>100 %（「実際のサイズ」）で印刷してください。下の棒は 100 mm でなければなりません。</translation>
     </message>
     <message>
         <source>Print shop (PDF with CutContour)</source>
         <translation>印刷業者（CutContour 入り PDF）</translation>
+    </message>
+    <message>
+        <source>Print the pieces</source>
+        <translation>部品を印刷</translation>
     </message>
     <message>
         <source>Print {0} at {1} dpi, all panels</source>
@@ -4385,6 +4633,22 @@
     <message>
         <source>Pull a line; then move the pointer to bend it, and click. A right click keeps it straight.</source>
         <translation>線を引き、ポインターを動かして曲げ、クリックします。右クリックなら真っすぐのままです。</translation>
+    </message>
+    <message>
+        <source>Pull a rectangle to copy (Ctrl+C) or cut (Ctrl+X); without one that is all. Ctrl+V pastes.</source>
+        <translation>四角で囲んでコピー（Ctrl+C）や切り取り（Ctrl+X）をします。囲まなければ全体です。Ctrl+V で貼り付けます。</translation>
+    </message>
+    <message>
+        <source>Pull a shape to its size, up or down to turn it; Shift keeps it upright.</source>
+        <translation>引いて形の大きさを決めます。上や下に引くと回ります。Shift を押すと真っすぐのままです。</translation>
+    </message>
+    <message>
+        <source>Pull it to its place. Enter paints it, Esc drops it.</source>
+        <translation>置く所まで引いてください。Enter で描き、Esc で取り消します。</translation>
+    </message>
+    <message>
+        <source>Pull the centre of the symmetry to its place, and turn its axis by the ring</source>
+        <translation>対称の中心を引いて動かし、輪を引いて軸を回します</translation>
     </message>
     <message>
         <source>Pull the paper. The middle button, or the space bar, does it with every tool; the wheel zooms.</source>
@@ -4443,8 +4707,16 @@
         <translation>手で切るための原寸です。100 % で印刷し、確認用の棒を測ってください。</translation>
     </message>
     <message>
+        <source>Rectangle</source>
+        <translation>長方形</translation>
+    </message>
+    <message>
         <source>Red</source>
         <translation>赤</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>やり直し</translation>
     </message>
     <message>
         <source>Redo (Ctrl+Y)</source>
@@ -4459,16 +4731,16 @@
         <translation>残材</translation>
     </message>
     <message>
+        <source>Remove (Del)</source>
+        <translation>消す (Del)</translation>
+    </message>
+    <message>
         <source>Repair</source>
         <translation>直す</translation>
     </message>
     <message>
         <source>Repair {0} cannot be read: delete it from Repairs.</source>
         <translation>修正 {0} を読めません。Repairs から消してください。</translation>
-    </message>
-    <message>
-        <source>Replace it</source>
-        <translation>置き換える</translation>
     </message>
     <message>
         <source>Replace the file</source>
@@ -4823,6 +5095,10 @@
         <translation>2 枚目（反転）</translation>
     </message>
     <message>
+        <source>Select</source>
+        <translation>選択</translation>
+    </message>
+    <message>
         <source>Select a sketch of half the outline, or choose where the profile comes from.</source>
         <translation>輪郭の半分のスケッチか、断面の出どころを選んでください。</translation>
     </message>
@@ -4833,6 +5109,10 @@
     <message>
         <source>Select a solid or a mesh, or choose a file.</source>
         <translation>ソリッドかメッシュを選択するか、ファイルを選んでください。</translation>
+    </message>
+    <message>
+        <source>Select all (Ctrl+A)</source>
+        <translation>すべて選択（Ctrl+A）</translation>
     </message>
     <message>
         <source>Select another</source>
@@ -4871,6 +5151,10 @@
         <translation>背景の影を取り除きました。</translation>
     </message>
     <message>
+        <source>Shape</source>
+        <translation>形</translation>
+    </message>
+    <message>
         <source>Shape that stays flat</source>
         <translation>平らなままの形</translation>
     </message>
@@ -4883,12 +5167,20 @@
         <translation>レーザーの最大出力に対する割合。空ならまだ不明</translation>
     </message>
     <message>
+        <source>Sharp or round (S)</source>
+        <translation>角か丸か (S)</translation>
+    </message>
+    <message>
         <source>Sheet length</source>
         <translation>シートの長さ</translation>
     </message>
     <message>
         <source>Sheet {} of {}</source>
         <translation>シート {}/{}</translation>
+    </message>
+    <message>
+        <source>Show all (0)</source>
+        <translation>全体を表示 (0)</translation>
     </message>
     <message>
         <source>Show all pieces (0)</source>
@@ -4901,6 +5193,10 @@
     <message>
         <source>Show the whole paper (0)</source>
         <translation>紙全体を表示（0）</translation>
+    </message>
+    <message>
+        <source>Shown on the pieces</source>
+        <translation>部品の上の表示</translation>
     </message>
     <message>
         <source>Shown sheet</source>
@@ -4925,6 +5221,10 @@
     <message>
         <source>Side {0} of seam {1} runs the wrong way at {2}, which would seal the outside of the film to its inside, as in a Moebius strip: it goes {3} its loop. Swap the two points of {4}.</source>
         <translation>継ぎ目 {1} の側 {0} が {2} で逆向きです。このままではメビウスの帯のようにフィルムの表と裏が溶着されます。境界に対して{3}に進んでいます。{4} の 2 つの点を入れ替えてください。</translation>
+    </message>
+    <message>
+        <source>Silhouette Cameo 5 Alpha from Inkscape</source>
+        <translation>Inkscape から Silhouette Cameo 5 Alpha</translation>
     </message>
     <message>
         <source>Silhouette Studio (vinyl cutter)</source>
@@ -5009,6 +5309,14 @@
     <message>
         <source>Spot in 16 panels</source>
         <translation>16 枚のパネルの Spot</translation>
+    </message>
+    <message>
+        <source>Stamp</source>
+        <translation>スタンプ</translation>
+    </message>
+    <message>
+        <source>Star</source>
+        <translation>星</translation>
     </message>
     <message>
         <source>Start values for welding: {0} ({1}).</source>
@@ -5115,6 +5423,10 @@
         <translation>片方のフィルムに仮留め</translation>
     </message>
     <message>
+        <source>Take a colour from the painting, or the picture under it</source>
+        <translation>描いた絵か、下絵の画像から色を取る</translation>
+    </message>
+    <message>
         <source>Take a tool to change the seams, or choose one and press Delete to merge.</source>
         <translation>継ぎ目を変えるツールを選ぶか、継ぎ目を選んで Delete キーで結合してください。</translation>
     </message>
@@ -5203,6 +5515,10 @@
         <translation>テストカード</translation>
     </message>
     <message>
+        <source>Text</source>
+        <translation>文字</translation>
+    </message>
+    <message>
         <source>That of the front</source>
         <translation>表と同じ</translation>
     </message>
@@ -5217,6 +5533,10 @@
     <message>
         <source>That would take {0} pages: choose larger paper or a smaller balloon.</source>
         <translation>{0} ページになってしまいます。大きな用紙か小さな風船にしてください。</translation>
+    </message>
+    <message>
+        <source>The "as_made" of the film {0} cannot be read: delete it from the file.</source>
+        <translation>フィルム {0} の「as_made」を読めません。ファイルから消してください。</translation>
     </message>
     <message>
         <source>The 'at' of seam {0} of the list is no list of places. {1}</source>
@@ -5285,6 +5605,10 @@
     <message>
         <source>The DXF file {0}; millimetres are assumed.</source>
         <translation>DXF ファイル：{0}。ミリメートルとして扱います。</translation>
+    </message>
+    <message>
+        <source>The G-code turns the tool by {0}. FreeCAD takes that axis for one that turns the work: its 3D view shows the path turned.</source>
+        <translation>この G コードは {0} で工具を回します。FreeCAD はその軸を加工物を回す軸とみなすため、3D ビューではパスが回って見えます。</translation>
     </message>
     <message>
         <source>The JSON file cannot be read ({0}). {1}</source>
@@ -5389,6 +5713,10 @@
     <message>
         <source>The altitude {0} m is out of range: give one up to 11000 m.</source>
         <translation>高度 {0} m は範囲外です。11000 m までにしてください。</translation>
+    </message>
+    <message>
+        <source>The axis that turns the wheel or knife along the path, 0 along X, counter-clockwise from above; none for one that swivels or is round</source>
+        <translation>ホイールや刃をパスの向きに回す軸。X 方向が 0 で、上から見て反時計回り。自在に回る工具や丸い工具では「なし」</translation>
     </message>
     <message>
         <source>The bag has no opening through which it is filled. Name the edge at which it stays open, such as edge 1 of panel '{0}', or make it without an intake.</source>
@@ -5509,6 +5837,10 @@
     <message>
         <source>The connection to {0} ended before the whole native solver had come. Try again. {1}</source>
         <translation>ネイティブソルバーをすべて受け取る前に {0} との接続が切れました。もう一度試してください。{1}</translation>
+    </message>
+    <message>
+        <source>The copied picture</source>
+        <translation>コピーした画像</translation>
     </message>
     <message>
         <source>The cutter finds the four discs round a print itself. VersaWorks prints discs of its own: give it the PDF for print and cut instead. The layer REGISTRATION is not cut.</source>
@@ -5723,8 +6055,8 @@
         <translation>フォルダー「{0}」がなくなりました。元に戻すか別のフォルダーを選び、スタディをもう一度始めてください。</translation>
     </message>
     <message>
-        <source>The free edition opens DXF, not SVG. Choose "as is" for the size in the import preferences. Silhouette adds the knife's offset and overcut. Nothing is in the file that may not be cut. Studio draws registration marks itself, print them from there; or set page A4, inset 10 mm, length 8.4 mm and thickness 1 mm there and lay the file's marks on them, not to be cut: a print has the same. Nothing is cut outside them.</source>
-        <translation>無料版が開くのは SVG でなく DXF です。読み込みの設定で大きさは "as is" を選んでください。刃のオフセットとオーバーカットは Silhouette が加えます。切ってはいけないものはファイルに入っていません。位置合わせの印は Studio が自分で描くので、そこから印刷してください。または Studio で用紙 A4、余白 10 mm、長さ 8.4 mm、太さ 1 mm にし、ファイルの印をそこに重ねて、切らない設定にしてください。印刷にも同じ印があります。印の外は切りません。</translation>
+        <source>The free edition opens DXF, not SVG. Choose "as is" for the size in the import preferences. Silhouette adds the knife's offset and overcut. Nothing is in the file that may not be cut. Studio draws registration marks itself, print them from there; or set page A4, inset 10.01 mm, length 8.38 mm and thickness 0.99 mm there (0.394, 0.33 and 0.039 in) and lay the file's marks on them, not to be cut: a print has the same. Nothing is cut outside them.</source>
+        <translation>無料版が開くのは SVG でなく DXF です。読み込みの設定で大きさは "as is" を選んでください。刃のオフセットとオーバーカットは Silhouette が加えます。切ってはいけないものはファイルに入っていません。位置合わせの印は Studio が自分で描くので、そこから印刷してください。または Studio で用紙 A4、余白 10.01 mm、長さ 8.38 mm、太さ 0.99 mm（0.394、0.33、0.039 インチ）にし、ファイルの印をそこに重ねて、切らない設定にしてください。印刷にも同じ印があります。印の外は切りません。</translation>
     </message>
     <message>
         <source>The goal has {0} combinations to choose from, of which each is tried: list 1 to {1}.</source>
@@ -6011,6 +6343,10 @@
         <translation>輪郭が交わるか触れているので、反転できません。線を離してください。</translation>
     </message>
     <message>
+        <source>The outline does not pass there any more: delete the edit.</source>
+        <translation>輪郭はもうそこを通りません。この編集を消してください。</translation>
+    </message>
+    <message>
         <source>The outline encloses no area; draw a closed shape with at least three corners.</source>
         <translation>輪郭が面を囲んでいません。角が三つ以上の閉じた形を描いてください。</translation>
     </message>
@@ -6021,6 +6357,10 @@
     <message>
         <source>The outline has no straight upright side on its left, so its axis is missing. {0}</source>
         <translation>輪郭の左にまっすぐ縦の辺がなく、軸がわかりません。{0}</translation>
+    </message>
+    <message>
+        <source>The outline runs another way there: delete the edit.</source>
+        <translation>そこでの輪郭の通り方が変わりました。この編集を消してください。</translation>
     </message>
     <message>
         <source>The outline's {0} of {1} cannot be made; bring it to a size between 1 mm and 100 m.</source>
@@ -6627,10 +6967,6 @@
         <translation>枚数は 1～{0} です（指定は {1}）。</translation>
     </message>
     <message>
-        <source>There is a film {0} already: say that it may be replaced.</source>
-        <translation>フィルム {0} はすでにあります。置き換えてよいことを指定してください。</translation>
-    </message>
-    <message>
         <source>There is a machine {0} already: give this one another name.</source>
         <translation>機械 {0} はすでにあります。別の名前にしてください。</translation>
     </message>
@@ -6671,6 +7007,14 @@
         <translation>気体「{0}」はありません。{1} から選んでください。</translation>
     </message>
     <message>
+        <source>There is no hole any more: delete the edit.</source>
+        <translation>穴がもうありません。この編集を消してください。</translation>
+    </message>
+    <message>
+        <source>There is no hole at {0}: give a place on its edge.</source>
+        <translation>{0} に穴はありません。穴の縁の位置を指定してください。</translation>
+    </message>
+    <message>
         <source>There is no intake "{0}": choose one of {1}.</source>
         <translation>注入口「{0}」はありません。{1} から選んでください。</translation>
     </message>
@@ -6699,6 +7043,10 @@
         <translation>この版のネイティブソルバーはまだ取得できません。{0}</translation>
     </message>
     <message>
+        <source>There is no node near {0}: add one there.</source>
+        <translation>{0} の近くにノードがありません。そこに加えてください。</translation>
+    </message>
+    <message>
         <source>There is no outline at {0} degrees from the centre: choose another intake angle.</source>
         <translation>中心から {0} 度の方向に輪郭がありません。注入口の角度を変えてください。</translation>
     </message>
@@ -6713,6 +7061,10 @@
     <message>
         <source>There is no paper "{0}": choose A4, A3 or Letter.</source>
         <translation>「{0}」という用紙はありません。A4、A3、レターから選んでください。</translation>
+    </message>
+    <message>
+        <source>There is no picture to paste: copy one first.</source>
+        <translation>貼り付ける画像がありません。先にコピーしてください。</translation>
     </message>
     <message>
         <source>There is no picture to print: choose one, as the balloon has none of its own.</source>
@@ -6765,6 +7117,10 @@
     <message>
         <source>There is no symmetry "{0}": choose one of {1}.</source>
         <translation>対称「{0}」はありません。{1} から選んでください。</translation>
+    </message>
+    <message>
+        <source>There is nothing to copy: paint something, or select it.</source>
+        <translation>コピーするものがありません。何か描くか、選んでください。</translation>
     </message>
     <message>
         <source>There is too little memory for this: take a coarser mesh, or close other programs.</source>
@@ -6987,6 +7343,14 @@
         <translation>端切れ 2 枚で温度と時間を試します。溶着したところが、はがれる前に伸びるか破れれば合格です。</translation>
     </message>
     <message>
+        <source>Turn piece</source>
+        <translation>部品を回転</translation>
+    </message>
+    <message>
+        <source>Turning axis</source>
+        <translation>回転軸</translation>
+    </message>
+    <message>
         <source>Turns</source>
         <translation>折り返し</translation>
     </message>
@@ -7035,6 +7399,10 @@
         <translation>切るなら 2 つの位置を 10 0 50; 10 20 50 のように入力するか、継ぎ目を選んで位置を 1 つ入力します。</translation>
     </message>
     <message>
+        <source>Undo</source>
+        <translation>元に戻す</translation>
+    </message>
+    <message>
         <source>Undo (Ctrl+Z)</source>
         <translation>元に戻す（Ctrl+Z）</translation>
     </message>
@@ -7055,8 +7423,8 @@
         <translation>不明</translation>
     </message>
     <message>
-        <source>Upload the SVG as a cut image and compare the control bar: some versions read the size at 72 dpi. Nothing is in the file that may not be cut. It adds the knife's offset and overcut itself. Design Space prints marks of its own (Print Then Cut), round at most 183 x 270 mm on A4: a print has none, and is refused where it is larger.</source>
-        <translation>SVG をカット画像としてアップロードし、確認用の棒と比べてください。大きさを 72 dpi で読む版もあります。切ってはいけないものはファイルに入っていません。刃のオフセットとオーバーカットは自分で加えます。Design Space は独自の印を印刷します（Print Then Cut）。A4 では最大 183 x 270 mm を囲むため、印刷には印を入れず、それより大きい印刷は受け付けません。</translation>
+        <source>Upload the SVG as a cut image and compare the control bar: some versions read the size at 72 dpi. Nothing is in the file that may not be cut. It adds the knife's offset and overcut itself. Design Space prints marks of its own (Print Then Cut), round at most 9.25 x 6.75 in: a print has none, and is refused where it is larger. Where yours takes more, raise most_mm in a copy.</source>
+        <translation>SVG をカット画像としてアップロードし、確認用の棒と比べてください。大きさを 72 dpi で読む版もあります。切ってはいけないものはファイルに入っていません。刃のオフセットとオーバーカットは自分で加えます。Design Space は独自の印を印刷します（Print Then Cut）。最大 9.25 x 6.75 インチを囲むため、印刷には印を入れず、それより大きい印刷は受け付けません。お使いの版がもっと大きくてもよければ、コピーした機械の most_mm を大きくしてください。</translation>
     </message>
     <message>
         <source>Upper end</source>
@@ -7205,6 +7573,10 @@
     <message>
         <source>What is cut is a line in the spot colour CutContour, which prints over the picture and leaves no gap in it. With artwork both are in artwork-print-and-cut-pdf.pdf. The shop's program adds marks of its own.</source>
         <translation>切る線は特色 CutContour の線で、絵の上に重なり、絵に抜けを作りません。絵柄があれば、両方が artwork-print-and-cut-pdf.pdf に入ります。業者のプログラムが独自の印を加えます。</translation>
+    </message>
+    <message>
+        <source>What is left of other film is of one film: choose patterns of one film for it.</source>
+        <translation>残材は 1 種類のフィルムです。残材を使うには、1 種類のフィルムの型紙だけを選んでください。</translation>
     </message>
     <message>
         <source>What it can work on, such as 600 x 400 mm, or 600 mm for a roll; empty where there is no limit</source>
@@ -7375,6 +7747,10 @@
         <translation>加工台より大きくてもファイルを書き出します</translation>
     </message>
     <message>
+        <source>Write the pieces as they lie to a PDF, in real size on pages</source>
+        <translation>並べたままの部品を、原寸で PDF のページに書き出します</translation>
+    </message>
+    <message>
         <source>Write these frames as a moving picture, with the artwork, on white</source>
         <translation>このコマを、印刷つき、白い背景の動画として書き出します</translation>
     </message>
@@ -7385,6 +7761,10 @@
     <message>
         <source>Write {"a": ["top", 0, 1], "b": ["side", 3, 2]}.</source>
         <translation>{"a": ["top", 0, 1], "b": ["side", 3, 2]} と書いてください。</translation>
+    </message>
+    <message>
+        <source>Write {"do": "add", "at": [[0.3, 0.5]]}.</source>
+        <translation>{"do": "add", "at": [[0.3, 0.5]]} のように書いてください。</translation>
     </message>
     <message>
         <source>Write {"do": "cut", "at": [[0, 0, 50], [100, 0, 20]]}.</source>
@@ -7427,12 +7807,20 @@
         <translation>{} に書き出しました</translation>
     </message>
     <message>
+        <source>Written to {}, in real size on {}: print it at 100 %.</source>
+        <translation>{} に原寸（{}）で書き出しました。100 % で印刷してください。</translation>
+    </message>
+    <message>
         <source>Wrote {0}</source>
         <translation>{0} を書き出しました</translation>
     </message>
     <message>
         <source>Yellow</source>
         <translation>黄</translation>
+    </message>
+    <message>
+        <source>You paint on: {}</source>
+        <translation>いま描いているのは：{}</translation>
     </message>
     <message>
         <source>Young's modulus</source>
@@ -7731,8 +8119,8 @@
         <translation>フィルムと弁の重さは {0}</translation>
     </message>
     <message>
-        <source>fitted to the photograph {0}</source>
-        <translation>写真 {0} に合わせた値</translation>
+        <source>fitted to {0}</source>
+        <translation>{0} に合わせた値</translation>
     </message>
     <message>
         <source>fold</source>
@@ -7757,6 +8145,10 @@
     <message>
         <source>glued seam inside</source>
         <translation>内側の接着の継ぎ目</translation>
+    </message>
+    <message>
+        <source>grain at {}°</source>
+        <translation>流れ方向 {}°</translation>
     </message>
     <message>
         <source>height</source>
@@ -7993,6 +8385,10 @@
     <message>
         <source>min_power_percent of {0} is more than max_power_percent: exchange the two.</source>
         <translation>{0} の min_power_percent が max_power_percent より大きくなっています。二つを入れ替えてください。</translation>
+    </message>
+    <message>
+        <source>mirrored: its other side is up, with its print and sealing side</source>
+        <translation>反転：裏側が上になり、印刷とシール面も逆になります</translation>
     </message>
     <message>
         <source>more than</source>
@@ -8371,6 +8767,10 @@
         <translation>形に忠実</translation>
     </message>
     <message>
+        <source>turned by {}°</source>
+        <translation>{}° 回転</translation>
+    </message>
+    <message>
         <source>unknown: this film has no strength</source>
         <translation>不明：このフィルムには強度の値がありません</translation>
     </message>
@@ -8519,6 +8919,10 @@
         <translation>{0} が自分自身に従っています。それから作られていないものを選んでください。</translation>
     </message>
     <message>
+        <source>{0} follows {1}: edit that.</source>
+        <translation>{0} は {1} に追従しています。{1} を編集してください。</translation>
+    </message>
+    <message>
         <source>{0} gap between the lines closed, the widest {1} of the drawing's width.</source>
         <translation>線の間のすき間を {0} か所閉じました。最大で図の幅の {1} です。</translation>
     </message>
@@ -8563,8 +8967,20 @@
         <translation>{0} に風船がありません。値を変えてみる風船を選んでください。</translation>
     </message>
     <message>
+        <source>{0} has no drawing yet: choose a picture.</source>
+        <translation>{0} にはまだ図がありません。画像を選んでください。</translation>
+    </message>
+    <message>
+        <source>{0} has no outline to edit: choose a balloon from a picture.</source>
+        <translation>{0} には編集できる輪郭がありません。画像から作った風船を選んでください。</translation>
+    </message>
+    <message>
         <source>{0} has no pattern: choose a balloon.</source>
         <translation>{0} に型紙がありません。風船を選んでください。</translation>
+    </message>
+    <message>
+        <source>{0} has no piece {1}: its pieces are {2}.</source>
+        <translation>{0} に部品 {1} はありません。部品は {2} です。</translation>
     </message>
     <message>
         <source>{0} has no result yet: recompute it.</source>
@@ -8809,6 +9225,10 @@
     <message>
         <source>{0} is {1}: give numbers from {2} to {3}, the smaller one first.</source>
         <translation>{0} が {1} です。{2}～{3} の数を、小さい方を先にして指定してください。</translation>
+    </message>
+    <message>
+        <source>{0} is {1}: give {2}, or leave it out.</source>
+        <translation>{0} が {1} になっています。{2} を指定するか、外してください。</translation>
     </message>
     <message>
         <source>{0} is {1}: write it as {"value": ..., "source": "who says so"}.</source>
@@ -9198,6 +9618,10 @@
         <source>{}: {}, flat</source>
         <translation>{}: {}、平ら</translation>
     </message>
+    <message>
+        <source>{}: {}, nodes</source>
+        <translation>{}: {}、ノード</translation>
+    </message>
 </context>
 <context>
     <name>BalloonWorkbench_Advice</name>
@@ -9263,6 +9687,17 @@
     <message>
         <source>Lay a photograph of the finished balloon over the simulated one, and see how near it came</source>
         <translation>できた風船の写真をシミュレーションに重ね、どれだけ近いかを見る</translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_EditOutline</name>
+    <message>
+        <source>Edit outline</source>
+        <translation>輪郭を編集</translation>
+    </message>
+    <message>
+        <source>Move, add and remove nodes of the outline over its picture, and set how the picture is read</source>
+        <translation>画像の上で輪郭のノードを動かし、加え、消します。画像の読み取り方も設定できます</translation>
     </message>
 </context>
 <context>
