@@ -21,6 +21,7 @@ class SeamList(FullList):
     def __init__(self):
         super().__init__(_HIGHEST)
         self.setObjectName("Seams")
+        self.setAccessibleName(translate("Seams"))
         self.currentRowChanged.connect(self.chosen)
 
     def show_bag(self, shown: BagEdges | None) -> None:

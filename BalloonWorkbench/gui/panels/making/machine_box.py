@@ -21,6 +21,7 @@ from BalloonWorkbench.core.machines.preflight import ERROR
 from BalloonWorkbench.core.machines.writers.pdf import TILES
 from BalloonWorkbench.core.options.making import REFUSE, SPLIT, WRITE
 from BalloonWorkbench.core.units import LENGTH_UNITS
+from BalloonWorkbench.gui.accessible import sign_button
 from BalloonWorkbench.gui.panels.making.tab_row import TabRow
 from BalloonWorkbench.gui.panels.widgets.fields import ReturnKey
 from BalloonWorkbench.gui.panels.widgets.narrow import FullList, NarrowCombo, WrappedLabel
@@ -96,10 +97,8 @@ class MachineBox(QtWidgets.QWidget):
 
     def _choosing(self):
         """The choice, and a button beside it for machines that are not in it."""
-        own = QtWidgets.QToolButton()
+        own = sign_button("…", translate("Set up machines of your own"))
         own.setObjectName("SetUpMachines")
-        own.setText("…")
-        own.setToolTip(translate("Set up machines of your own"))
         own.clicked.connect(lambda _checked=False: self.set_up.emit())
         row = QtWidgets.QHBoxLayout()
         row.addWidget(self.choice, 1)

@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is wrong with an open panel for those who cannot see it or do not use a mouse.
+
+Names are those that Qt gives a screen reader; an order is that of the Tab key.
+"""
+
+import gc
+import re
+from collections import Counter
+from itertools import pairwise
+
+import hands
+
+QtCore, QtGui, QtWidgets = hands.QtCore, hands.QtGui, hands.QtWidgets
+Qt = QtCore.Qt
+
+_INTERACTIVE = (
+    QtWidgets.QAbstractButton,
+    QtWidgets.QLineEdit,
+    QtWidgets.QComboBox,
+    QtWidgets.QAbstractSpinBox,
+    QtWidgets.QAbstractSlider,
+    QtWidgets.QAbstractItemView,
+    QtWidgets.QTextEdit,
+    QtWidgets.QPlainTextEdit,
+)
+_MNEMONIC = re.compile(r"(?<!&)&(?!&)(\w)")
+_KEY = re.compile(r"\((\w+\+)*\w+\)$")
+_OURS = "BalloonWorkbench."
+
+
+def faults(top):
+    """A line for each fault of the widgets in a panel that are on the screen."""
+    gc.disable()  # Python would delete widgets of the panel before amid the look at them
+    try:
+        widgets = interactive(top)
+        return [
+            *_nameless(widgets),
+            *_without_keys(widgets),
+            *_out_of_order(top, widgets),
+            *_doubled(widgets),
+        ]
+    finally:
+        gc.enable()
+
+
+def interactive(top):
+    """What users work with in it: not the parts of a widget, nor what FreeCAD puts around a panel."""
+    inside = [each for each in hands.visible(QtWidgets.QWidget) if top is each or top.isAncestorOf(each)]
+    return [each for each in inside if _is_interactive(each) and not _is_part(each)]
+
+
+def _is_interactive(widget):
+    return isinstance(widget, _INTERACTIVE) or _has_own(widget, "mousePressEvent")
+
+
+def _has_own(widget, handler):
+    """A class of ours handles these events: a widget that is drawn, and clicked into."""
+    ours = [kind for kind in type(widget).__mro__ if kind.__module__.startswith(_OURS)]
+    return any(handler in vars(kind) for kind in ours)
+
+
+def _is_part(widget):
+    """Of another widget, as the line in a spin box, or of FreeCAD's frame around a panel."""
+    kind = widget.metaObject().className()
+    if widget.objectName().startswith("qt_") or isinstance(widget, QtWidgets.QScrollBar):
+        return True
+    if kind.startswith(("QSint::", "Gui::TaskView", "QDockWidget")) or kind == "Gui::ExpressionLabel":
+        return True
+    above = widget.parentWidget()
+    while above is not None:
+        if isinstance(above, (QtWidgets.QComboBox, QtWidgets.QAbstractSpinBox, QtWidgets.QAbstractItemView)):
+            return True
+        above = above.parentWidget()
+    return False
+
+
+def described(widget):
+    """For the reader of a fault."""
+    text = widget.text()[:40] if hasattr(widget, "text") else ""
+    return f"{type(widget).__name__} {widget.objectName()} {text!r}"
+
+
+def name_of(widget):
+    """What a screen reader says first of a widget: not what it holds, "Helium" does not say of what."""
+    if isinstance(widget, QtWidgets.QAbstractButton):
+        return widget.accessibleName() or widget.text()
+    return widget.accessibleName() or _buddy(widget)
+
+
+def _buddy(widget):
+    """The text of the label that stands for a widget."""
+    holder = widget.parentWidget()
+    for label in holder.findChildren(QtWidgets.QLabel) if holder is not None else ():
+        if label.buddy() is widget:
+            return label.text()
+    return ""
+
+
+def _nameless(widgets):
+    for widget in widgets:
+        if not any(letter.isalnum() for letter in name_of(widget)):
+            yield f"{described(widget)} has no name"
+
+
+def _without_keys(widgets):
+    """A group of buttons of which one is chosen is one stop: arrows go on from there. A tool of a canvas may
+    have a key of its own instead, which stands in its tip.
+    """
+    for widget in widgets:
+        reached = widget.focusPolicy() & Qt.TabFocus or _is_shared(widget) or _KEY.search(widget.toolTip())
+        if not reached:
+            yield f"{described(widget)} cannot be reached with Tab"
+        if _has_own(widget, "mousePressEvent") and not _has_own(widget, "keyPressEvent"):
+            yield f"{described(widget)} takes the mouse and no keys"
+
+
+def _is_shared(widget):
+    group = widget.group() if isinstance(widget, QtWidgets.QAbstractButton) else None
+    return group is not None and any(each.focusPolicy() & Qt.TabFocus for each in group.buttons())
+
+
+def tab_order(top, widgets):
+    """Widgets in the order in which Tab comes to them."""
+    stops, widget, order = set(widgets), top.nextInFocusChain(), []
+    while widget is not top:
+        if widget in stops and widget.focusPolicy() & Qt.TabFocus and widget.isEnabled():
+            order.append(widget)
+        widget = widget.nextInFocusChain()
+    return order
+
+
+def _out_of_order(top, widgets):
+    """Lines from the top, and within a line from where reading begins."""
+    order = tab_order(top, widgets)
+    for one, other in pairwise(order):
+        before, after = _place(top, one), _place(top, other)
+        beside = before.top() < after.bottom() and after.top() < before.bottom()
+        back = after.right() <= before.left()
+        if top.layoutDirection() == Qt.RightToLeft:
+            back = after.left() >= before.right()
+        if (beside and back) or after.bottom() <= before.top():
+            yield f"Tab goes back from {described(one)} to {described(other)}"
+
+
+def _place(top, widget):
+    return QtCore.QRect(widget.mapTo(top, QtCore.QPoint(0, 0)), widget.size())
+
+
+def _doubled(widgets):
+    """Two widgets for one key with Alt."""
+    letters = Counter(
+        match.group(1).lower()
+        for widget in widgets
+        if isinstance(widget, QtWidgets.QAbstractButton)
+        for match in _MNEMONIC.finditer(widget.text())
+    )
+    for letter, count in letters.items():
+        if count > 1:
+            yield f"Alt+{letter} is there {count} times"
