@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import re
 
-from BalloonWorkbench.gui.qt import QtWidgets
+from BalloonWorkbench.gui.qt import QtCore, QtWidgets
 
 _FIELDS = (
     QtWidgets.QLineEdit,
@@ -37,7 +37,7 @@ def tab_after(before, box) -> None:
     """Let Tab come to the widgets in a box after another widget, in the order in which they are now."""
     inside, widget = [], box.nextInFocusChain()
     while widget is not box:
-        if box.isAncestorOf(widget):
+        if box.isAncestorOf(widget) and widget.focusPolicy() != QtCore.Qt.NoFocus:
             inside.append(widget)
         widget = widget.nextInFocusChain()
     for each in inside:

@@ -24,6 +24,13 @@ _INTERACTIVE = (
     QtWidgets.QTextEdit,
     QtWidgets.QPlainTextEdit,
 )
+#: What is in them is theirs, as the line in a spin box; the buttons of a panel are FreeCAD's.
+_HOLDERS = (
+    QtWidgets.QComboBox,
+    QtWidgets.QAbstractSpinBox,
+    QtWidgets.QAbstractItemView,
+    QtWidgets.QDialogButtonBox,
+)
 _MNEMONIC = re.compile(r"(?<!&)&(?!&)(\w)")
 _KEY = re.compile(r"\((\w+\+)*\w+\)$")
 _OURS = "BalloonWorkbench."
@@ -34,20 +41,27 @@ def faults(top):
     gc.disable()  # Python would delete widgets of the panel before amid the look at them
     try:
         widgets = interactive(top)
-        return [
-            *_nameless(widgets),
-            *_without_keys(widgets),
-            *_out_of_order(top, widgets),
-            *_doubled(widgets),
-        ]
+        labels = {each.buddy(): each.text() for each in _inside(top) if isinstance(each, QtWidgets.QLabel)}
+        reach = [*_without_keys(widgets), *_out_of_order(top, widgets)]
+        return [*_nameless(widgets, labels), *reach, *_doubled(widgets)]
     finally:
         gc.enable()
 
 
 def interactive(top):
     """What users work with in it: not the parts of a widget, nor what FreeCAD puts around a panel."""
-    inside = [each for each in hands.visible(QtWidgets.QWidget) if top is each or top.isAncestorOf(each)]
-    return [each for each in inside if _is_interactive(each) and not _is_part(each)]
+    inside = _inside(top)
+    holders = [each for each in inside if isinstance(each, _HOLDERS)]
+    return [
+        each
+        for each in inside
+        if _is_interactive(each) and not _is_part(each) and not any(box.isAncestorOf(each) for box in holders)
+    ]
+
+
+def _inside(top):
+    """Python must not learn of their parents: it would keep the shells of widgets that are deleted later."""
+    return [each for each in hands.visible(QtWidgets.QWidget) if top is each or top.isAncestorOf(each)]
 
 
 def _is_interactive(widget):
@@ -61,18 +75,11 @@ def _has_own(widget, handler):
 
 
 def _is_part(widget):
-    """Of another widget, as the line in a spin box, or of FreeCAD's frame around a panel."""
+    """Of what Qt and FreeCAD put around a panel and into a widget."""
     kind = widget.metaObject().className()
     if widget.objectName().startswith("qt_") or isinstance(widget, QtWidgets.QScrollBar):
         return True
-    if kind.startswith(("QSint::", "Gui::TaskView", "QDockWidget")) or kind == "Gui::ExpressionLabel":
-        return True
-    above = widget.parentWidget()
-    while above is not None:
-        if isinstance(above, (QtWidgets.QComboBox, QtWidgets.QAbstractSpinBox, QtWidgets.QAbstractItemView)):
-            return True
-        above = above.parentWidget()
-    return False
+    return kind.startswith(("QSint::", "Gui::TaskView", "Gui::ExpressionLabel", "QDockWidget"))
 
 
 def described(widget):
@@ -81,25 +88,19 @@ def described(widget):
     return f"{type(widget).__name__} {widget.objectName()} {text!r}"
 
 
-def name_of(widget):
-    """What a screen reader says first of a widget: not what it holds, "Helium" does not say of what."""
+def name_of(widget, labels):
+    """What a screen reader says first of a widget: not what it holds, "Helium" does not say of what.
+
+    labels  what stands beside widgets
+    """
     if isinstance(widget, QtWidgets.QAbstractButton):
         return widget.accessibleName() or widget.text()
-    return widget.accessibleName() or _buddy(widget)
+    return widget.accessibleName() or labels.get(widget, "")
 
 
-def _buddy(widget):
-    """The text of the label that stands for a widget."""
-    holder = widget.parentWidget()
-    for label in holder.findChildren(QtWidgets.QLabel) if holder is not None else ():
-        if label.buddy() is widget:
-            return label.text()
-    return ""
-
-
-def _nameless(widgets):
+def _nameless(widgets, labels):
     for widget in widgets:
-        if not any(letter.isalnum() for letter in name_of(widget)):
+        if not any(letter.isalnum() for letter in name_of(widget, labels)):
             yield f"{described(widget)} has no name"
 
 

@@ -34,7 +34,9 @@ class SeamList(FullList):
             entry = QtWidgets.QListWidgetItem(_text(shown, number))
             entry.setIcon(swatch(WRONG if wrong else seam_colour(number)))
             if wrong:
-                entry.setForeground(QtGui.QColor.fromRgbF(*WRONG))
+                font = entry.font()
+                font.setBold(True)  # the sentence says what is wrong; red text cannot be read in every theme
+                entry.setFont(font)
                 entry.setToolTip(translate("Both sides of a seam must be equally long"))
             self.addItem(entry)
         if self.count():

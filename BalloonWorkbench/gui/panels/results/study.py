@@ -96,6 +96,7 @@ class StudyPanel(ObjectPanel):
             "StudyMessage": self.message,
         }.items():
             widget.setObjectName(name)
+        self.rows.setAccessibleName(translate("Rows"))
         self.steps.setRange(1, _MOST_STEPS)
         self.steps.setValue(5)
         self.make_rows.setToolTip(translate("Each row of the table once with each of these values"))
