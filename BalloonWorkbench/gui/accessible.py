@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Names that screen readers say, and the order in which the Tab key comes to widgets; no balloon in it."""
+"""Names that screen readers say; no balloon in it."""
 
 from __future__ import annotations
 
 import re
 
-from BalloonWorkbench.gui.qt import QtCore, QtWidgets
+from BalloonWorkbench.gui.qt import QtWidgets
 
 _FIELDS = (
     QtWidgets.QLineEdit,
@@ -31,15 +31,3 @@ def sign_button(sign: str, tip: str):
     button.setToolTip(tip)
     button.setAccessibleName(tip)
     return button
-
-
-def tab_after(before, box) -> None:
-    """Let Tab come to the widgets in a box after another widget, in the order in which they are now."""
-    inside, widget = [], box.nextInFocusChain()
-    while widget is not box:
-        if box.isAncestorOf(widget) and widget.focusPolicy() != QtCore.Qt.NoFocus:
-            inside.append(widget)
-        widget = widget.nextInFocusChain()
-    for each in inside:
-        QtWidgets.QWidget.setTabOrder(before, each)
-        before = each

@@ -11,6 +11,8 @@ from itertools import pairwise
 
 import hands
 
+from BalloonWorkbench.gui.panels.balloon.result_box import ResultBox
+
 QtCore, QtGui, QtWidgets = hands.QtCore, hands.QtGui, hands.QtWidgets
 Qt = QtCore.Qt
 
@@ -33,6 +35,7 @@ _HOLDERS = (
 )
 _MNEMONIC = re.compile(r"(?<!&)&(?!&)(\w)")
 _KEY = re.compile(r"\((\w+\+)*\w+\)$")
+_MOST_STOPS = 200  # of the whole window
 _OURS = "BalloonWorkbench."
 
 
@@ -41,9 +44,8 @@ def faults(top):
     gc.disable()  # Python would delete widgets of the panel before amid the look at them
     try:
         widgets = interactive(top)
-        labels = {each.buddy(): each.text() for each in _inside(top) if isinstance(each, QtWidgets.QLabel)}
         reach = [*_without_keys(widgets), *_out_of_order(top, widgets)]
-        return [*_nameless(widgets, labels), *reach, *_doubled(widgets)]
+        return [*_nameless(widgets), *reach, *_doubled(widgets)]
     finally:
         gc.enable()
 
@@ -55,7 +57,9 @@ def interactive(top):
     return [
         each
         for each in inside
-        if _is_interactive(each) and not _is_part(each) and not any(box.isAncestorOf(each) for box in holders)
+        if _is_interactive(each)
+        and not _is_part(each)
+        and not any(box is not each and box.isAncestorOf(each) for box in holders)
     ]
 
 
@@ -88,19 +92,16 @@ def described(widget):
     return f"{type(widget).__name__} {widget.objectName()} {text!r}"
 
 
-def name_of(widget, labels):
-    """What a screen reader says first of a widget: not what it holds, "Helium" does not say of what.
-
-    labels  what stands beside widgets
-    """
-    if isinstance(widget, QtWidgets.QAbstractButton):
-        return widget.accessibleName() or widget.text()
-    return widget.accessibleName() or labels.get(widget, "")
+def name_of(widget):
+    """What a screen reader says first of a widget: not what it holds, "Helium" does not say of what."""
+    name = QtGui.QAccessible.queryAccessibleInterface(widget).text(QtGui.QAccessible.Name)
+    held = widget.currentText() if isinstance(widget, QtWidgets.QComboBox) else ""
+    return widget.accessibleName() or ("" if name == held else name)
 
 
-def _nameless(widgets, labels):
+def _nameless(widgets):
     for widget in widgets:
-        if not any(letter.isalnum() for letter in name_of(widget, labels)):
+        if not any(letter.isalnum() for letter in name_of(widget)):
             yield f"{described(widget)} has no name"
 
 
@@ -121,20 +122,34 @@ def _is_shared(widget):
     return group is not None and any(each.focusPolicy() & Qt.TabFocus for each in group.buttons())
 
 
-def tab_order(top, widgets):
-    """Widgets in the order in which Tab comes to them."""
-    stops, widget, order = set(widgets), top.nextInFocusChain(), []
-    while widget is not top:
-        if widget in stops and widget.focusPolicy() & Qt.TabFocus and widget.isEnabled():
-            order.append(widget)
-        widget = widget.nextInFocusChain()
+def tab_order(widgets):
+    """Widgets in the order in which the Tab key comes to them, from the first one of the panel.
+
+    By the key itself: by nextInFocusChain, Python holds the next widget for a part of the one before.
+    """
+    first = next((each for each in widgets if each.focusPolicy() & Qt.TabFocus and each.isEnabled()), None)
+    if first is None:
+        return []
+    first.setFocus()
+    hands.wait_until(lambda: QtWidgets.QApplication.focusWidget() is not None, 5)
+    order, stops = [first], 0
+    while stops < _MOST_STOPS:
+        hands.key(QtWidgets.QApplication.focusWidget(), Qt.Key_Tab, "\t")
+        reached, stops = QtWidgets.QApplication.focusWidget(), stops + 1
+        if reached in order:
+            break
+        if reached in widgets:
+            order.append(reached)
     return order
 
 
 def _out_of_order(top, widgets):
     """Lines from the top, and within a line from where reading begins."""
-    order = tab_order(top, widgets)
+    order = tab_order(sorted(widgets, key=lambda each: (_place(top, each).top(), _place(top, each).left())))
+    results = hands.visible(ResultBox)  # a box of its own, which may come before a page that is made later
     for one, other in pairwise(order):
+        if any(box.isAncestorOf(one) != box.isAncestorOf(other) for box in results):
+            continue
         before, after = _place(top, one), _place(top, other)
         beside = before.top() < after.bottom() and after.top() < before.bottom()
         back = after.right() <= before.left()

@@ -107,11 +107,18 @@ def others(made):
             yield from pages(command)
         else:
             yield command
-        if command == "Machines":
-            hands.click(hands.find("CopyMachine"))
-            yield "Machines-copy"
         hands.leave()
         hands.wait_until(hands.panel_is_closed)
+
+
+def copied_machine(_doc):
+    """The form of a machine of the user's own."""
+    Gui.runCommand("BalloonWorkbench_Machines")
+    hands.wait_until(hands.panel_is_seen)
+    hands.click(hands.find("CopyMachine"))
+    yield "Machines-copy"
+    hands.leave()
+    hands.wait_until(hands.panel_is_closed)
 
 
 def preferences_page():
@@ -120,6 +127,7 @@ def preferences_page():
     page.loadSettings()
     page.form.resize(700, 560)  # what the dialog has for a page on a small screen
     page.form.show()
+    page.form.activateWindow()
     hands.wait(0.1)
     yield page.form
     page.form.hide()

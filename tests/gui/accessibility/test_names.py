@@ -27,6 +27,7 @@ def test_panels_of_new_balloons(doc):
         *look(every_panel.many_panels(doc, "FromProfile", 1)),
         *look(every_panel.many_panels(doc, "FromPanels", 6)),
         *look(every_panel.body(doc)),
+        *look(every_panel.copied_machine(doc)),
     ]
     assert not told, "\n".join(told)
 

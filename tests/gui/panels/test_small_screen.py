@@ -1,15 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Every panel on a screen of 1366 x 768: nothing is cut off, one bar scrolls at most.
 
-In German, whose words are long; in others too with their names in BALLOON_LANGUAGES, between commas.
+In German, whose words are long; in others with their names in BALLOON_LANGUAGES, between commas, among them
+Pseudo and Mirrored (pseudo.py).
 """
 
 import os
+from contextlib import ExitStack
 
 import cut_off
 import every_panel
 import FreeCADGui as Gui
 import hands
+import pseudo
 import pytest
 
 from BalloonWorkbench.app.properties import preferences
@@ -35,12 +38,18 @@ def small():
 
 @pytest.fixture
 def speak():
-    def change(language):
-        Gui.setLocale(language)
-        hands.wait(0.3)
+    with ExitStack() as languages:
 
-    yield change
-    change("English")
+        def change(language):
+            if language in pseudo.KINDS:
+                languages.enter_context(pseudo.spoken(language))
+            else:
+                Gui.setLocale(language)
+            hands.wait(0.3)
+
+        yield change
+    Gui.setLocale("English")
+    hands.wait(0.3)
 
 
 def look(panels, language):

@@ -111,6 +111,12 @@ class StudyPanel(ObjectPanel):
         self.first.setToolTip(translate("From this value, with its unit"))
         self.last.setToolTip(translate("To this value, with its unit"))
         self.steps.setToolTip(translate("Number of values, both ends among them"))
+        for choice, text in (
+            (self.column, translate("Vary")),
+            (self.up, translate("Plot")),
+            (self.across, translate("over")),
+        ):
+            choice.setAccessibleName(text)
         form.addRow(translate("Vary"), self.column)
         form.addRow(translate("From"), self.first)
         form.addRow(translate("To"), self.last)

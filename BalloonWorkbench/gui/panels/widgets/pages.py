@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-from BalloonWorkbench.gui.accessible import tab_after
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets
 
 #: The page in front is marked in every theme, and its title stays as readable as the others.
@@ -78,7 +77,6 @@ class Pages(QtWidgets.QWidget):
             margins = box.layout().contentsMargins()
             box.layout().setContentsMargins(0, margins.top(), 0, margins.bottom())
             self._column.addWidget(box)
-            tab_after(self._buttons[-1], box)
         self._index = index
         self._buttons[index].setChecked(True)
         for number, box in self._boxes.items():
