@@ -10,7 +10,7 @@ from BalloonWorkbench.core.pages.fonts import Fonts
 from BalloonWorkbench.core.pages.pdf import write
 from BalloonWorkbench.core.types import Say
 
-INK, SOFT, RULE, BAND, ACCENT = "#1f2937", "#64748b", "#d3d9e3", "#f2f4f8", "#c81e4a"
+INK, SOFT, RULE, BAND, ACCENT = "#1f2937", "#5b6b82", "#d3d9e3", "#f2f4f8", "#c81e4a"
 _BODY, _HEADING = 8.0, 9.0  # points
 
 

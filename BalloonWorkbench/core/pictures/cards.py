@@ -15,7 +15,7 @@ from BalloonWorkbench.core.units import from_mm, length_text
 
 WIDTH, HEIGHT = 1800, 1000
 PAPER, CARD, EDGE = "#eef0f4", "#ffffff", "#d5d9e1"
-INK, SOFT = "#232a36", "#6b7484"
+INK, SOFT = "#232a36", "#5f6877"
 #: Length of an arrow's head, and half its width [pixels].
 _HEAD = 5.6, 2.8
 

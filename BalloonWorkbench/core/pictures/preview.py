@@ -32,6 +32,7 @@ from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import from_mm, length_text, percent_text, size_text, to_mm, volume_text
 
 _DRAWING, _BALLOON, _UNREACHED, _CREASES = "#39424f", "#d81e3f", "#f2b705", "#6a3fc4"
+_PARTLY = "#b3541e"  # the text about a balloon that does not reach its drawing
 # Cards in pixels from the lower left: x, y, width, height.
 _MARGIN, _GAP = 26, 20
 _LEFT, _MIDDLE = 480, 540
@@ -107,7 +108,8 @@ def _silhouette(card: PreviewCard, designs: Sequence[Design]) -> None:
         card.lines(_rings(design.target, frame), _DRAWING, 1.2, dash=(4, 2.5))
     for design in designs:
         missed = [frame(to_mm(stretch.points)) for stretch in design.unreached]
-        card.lines(missed, _UNREACHED, 5.0, opacity=0.8)
+        card.lines(missed, _DRAWING, 7.0)  # yellow alone does not stand out from white
+        card.lines(missed, _UNREACHED, 5.0)
         creases = () if design.weld_range is None else design.weld_range.creases
         card.lines([frame(to_mm(stretch.points)) for stretch in creases], _CREASES, 3.0, dash=(1.0, 0.9))
     worst = max(designs, key=lambda design: design.residual.mean / max(design.target.size))
@@ -120,7 +122,7 @@ def _silhouette(card: PreviewCard, designs: Sequence[Design]) -> None:
     card.caption(
         f"{which}{length_text(off.mean, 2)} ({percent_text(share)}) off, {length_text(off.max, 2)} at"
         f" most{marked}",
-        SOFT if all(design.reached for design in designs) else "#b3541e",
+        SOFT if all(design.reached for design in designs) else _PARTLY,
     )
 
 

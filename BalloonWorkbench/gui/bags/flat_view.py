@@ -22,7 +22,10 @@ _BESIDE = 10.0  # px from an edge to its number
 
 
 class FlatView(QtWidgets.QWidget):
-    """Shows a bag, `shown`; `clicked` carries the edge, a PanelEdge, and the name of its piece there."""
+    """Shows a bag, `shown`; `clicked` carries the edge, a PanelEdge, and the name of its piece there.
+
+    With keys, arrows go from edge to edge and Space picks the one with the ring.
+    """
 
     clicked = QtCore.Signal(object, str)
 
@@ -31,14 +34,18 @@ class FlatView(QtWidgets.QWidget):
         self.setObjectName("FlatPanels")
         self.setMinimumHeight(_LEAST)
         self.setMouseTracking(True)
+        self.setFocusPolicy(QtCore.Qt.StrongFocus)
+        self.setAccessibleName(translate("Edges of the panels"))
         self.shown: BagEdges | None = None
         self._chosen: int | None = None
         self._picked = ""
+        self._at = 0  # the edge that keys are at, by its number
         self._box = QtCore.QRectF()
 
     def show_bag(self, shown: BagEdges | None) -> None:
         """Show a bag."""
         self.shown = shown
+        self._go(0)
         if shown is not None:
             everything = np.concatenate([loop for loops in shown.loops for loop in loops])
             (left, low), (right, high) = bounds(everything)
@@ -76,6 +83,33 @@ class FlatView(QtWidgets.QWidget):
             event.ignore()
         else:
             self.clicked.emit(*nearest_edge)
+
+    # the keys
+
+    def keyPressEvent(self, event):
+        ahead = (QtCore.Qt.Key_Right, QtCore.Qt.Key_Down)
+        back = (QtCore.Qt.Key_Left, QtCore.Qt.Key_Up)
+        if not self._edges or event.key() not in (*ahead, *back, QtCore.Qt.Key_Space):
+            super().keyPressEvent(event)
+        elif event.key() == QtCore.Qt.Key_Space:
+            edge = self._edges[self._at]
+            self.clicked.emit(edge, edge.names[len(edge.names) // 2])
+        else:
+            self._go(1 if event.key() in ahead else -1)
+
+    def focusInEvent(self, event):
+        super().focusInEvent(event)
+        self.update()
+
+    def focusOutEvent(self, event):
+        super().focusOutEvent(event)
+        self.update()
+
+    def _go(self, steps: int) -> None:
+        """Take the ring so many edges on; screen readers say what it is at."""
+        self._at = (self._at + steps) % max(len(self._edges), 1)
+        self.setAccessibleDescription(_tip(self._edges[self._at]) if self._edges else "")
+        self.update()
 
     def _edge_at(self, place) -> tuple[PanelEdge, str] | None:
         """The edge that is nearest to a place in the widget, within a few pixels, and its piece there."""
@@ -133,6 +167,8 @@ class FlatView(QtWidgets.QWidget):
         taken = [_label(painter, str(edge.seam + 1), self._inside(edge, transform)) for edge in numbered]
         for panel, loops in zip(shown.bag.panels, shown.loops):
             _name(painter, panel.name, _area(loops, transform), taken)
+        if self.hasFocus() and shown.edges:
+            _focus_ring(painter, transform.map(QtCore.QPointF(*_middle(shown.edges[self._at].line))))
         if shown.opening is not None:
             _ring(painter, transform.map(QtCore.QPointF(*shown.opening.tolist())))
 
@@ -215,3 +251,11 @@ def _ring(painter, at) -> None:
     painter.setBrush(QtCore.Qt.white)
     painter.setPen(QtGui.QPen(QtCore.Qt.black, 2.0))
     painter.drawEllipse(at, 5.0, 5.0)
+
+
+def _focus_ring(painter, at) -> None:
+    """Round the middle of the edge that keys are at: dark on light, so that it is seen on any ground."""
+    painter.setBrush(QtCore.Qt.NoBrush)
+    for colour, width in ((QtCore.Qt.white, 5.0), (QtCore.Qt.black, 2.0)):
+        painter.setPen(QtGui.QPen(colour, width))
+        painter.drawEllipse(at, _BESIDE, _BESIDE)

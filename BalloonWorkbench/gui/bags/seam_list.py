@@ -21,6 +21,7 @@ class SeamList(FullList):
     def __init__(self):
         super().__init__(_HIGHEST)
         self.setObjectName("Seams")
+        self.setAccessibleName(translate("Seams"))
         self.currentRowChanged.connect(self.chosen)
 
     def show_bag(self, shown: BagEdges | None) -> None:
@@ -33,7 +34,9 @@ class SeamList(FullList):
             entry = QtWidgets.QListWidgetItem(_text(shown, number))
             entry.setIcon(swatch(WRONG if wrong else seam_colour(number)))
             if wrong:
-                entry.setForeground(QtGui.QColor.fromRgbF(*WRONG))
+                font = entry.font()
+                font.setBold(True)  # the sentence says what is wrong; red text cannot be read in every theme
+                entry.setFont(font)
                 entry.setToolTip(translate("Both sides of a seam must be equally long"))
             self.addItem(entry)
         if self.count():

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from BalloonWorkbench.app.border.guard import Guarded
 from BalloonWorkbench.app.properties import preferences
+from BalloonWorkbench.gui.accessible import name_field, sign_button
 from BalloonWorkbench.gui.panels.widgets.fields import UNITS, new_quantity_box
 from BalloonWorkbench.gui.qt import QtWidgets, translate
 from BalloonWorkbench.gui.window.sentences import translated
@@ -89,6 +90,7 @@ class PreferencesPage(Guarded):
             field = QtWidgets.QLineEdit()
             field.setPlaceholderText(translate("Beside the document"))
         field.setObjectName(f"Preferred{key}")
+        name_field(field, label)
         if item.prop:
             field.setToolTip(translate(item.prop.tooltip, "App::Property"))
         return field
@@ -98,9 +100,7 @@ class PreferencesPage(Guarded):
         if key != "ExportFolder":
             return field
         row = QtWidgets.QHBoxLayout()
-        browse = QtWidgets.QToolButton()
-        browse.setText("…")
-        browse.setToolTip(translate("Choose a folder"))
+        browse = sign_button("…", translate("Choose a folder"))
         browse.clicked.connect(lambda _checked=False: self._choose_folder(field))
         row.addWidget(field)
         row.addWidget(browse)

@@ -3,6 +3,7 @@
 
 import numpy as np
 import pytest
+from eyes import EYES, lab
 
 from BalloonWorkbench.core.design.compare import residual
 from BalloonWorkbench.core.design.silhouette import silhouette
@@ -27,18 +28,17 @@ def disc():
     return inflate(triangulate(outline, 0.016), film("mylar"), PRESSURE, settings=NewtonSettings(1e-9))
 
 
-def lightness(rgb):
-    """CIE 1976 L* of sRGB colours (n, 3) from 0 to 255."""
-    value = rgb / 255.0
-    linear = np.where(value <= 0.04045, value / 12.92, ((value + 0.055) / 1.055) ** 2.4)
-    luminance = linear @ (0.2126, 0.7152, 0.0722)
-    return np.where(luminance > 0.008856, 116.0 * np.cbrt(luminance) - 16.0, 903.3 * luminance)
-
-
 def test_equal_steps_of_the_scale_look_equal():
-    steps = np.diff(lightness(colour_map.colours(np.linspace(0.0, 1.0, 10)).astype(float)))
+    steps = np.diff(lab(colour_map.colours(np.linspace(0.0, 1.0, 10)) / 255.0)[:, 0])
     assert steps.min() > 0.75 * steps.mean()
     assert steps.max() < 1.25 * steps.mean()
+
+
+@pytest.mark.parametrize("eye", EYES)
+def test_more_is_lighter_to_every_eye(eye):
+    light = lab(colour_map.colours(np.linspace(0.0, 1.0, 64)) / 255.0, eye)[:, 0]
+    assert np.diff(light).min() > 0.0
+    assert np.ptp(light) > 60.0
 
 
 @pytest.mark.parametrize(

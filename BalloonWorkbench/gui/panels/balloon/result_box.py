@@ -12,6 +12,7 @@ from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document.kinds import is_bag, is_gored_body, is_target
 from BalloonWorkbench.app.properties.quantities import cubic_millimetres, pascals
 from BalloonWorkbench.core.units import from_grams, mass_text, percent_text, to_mm
+from BalloonWorkbench.gui.accessible import sign_button
 from BalloonWorkbench.gui.panels.balloon.body_rows import BodyRows, quick_rows
 from BalloonWorkbench.gui.panels.making.maker_rows import MakerRows, value_label
 from BalloonWorkbench.gui.panels.widgets.fields import Fields
@@ -102,10 +103,9 @@ class ResultBox(QtWidgets.QWidget):
         row.addStretch(1)
         self._steps = []
         for command, name in _NEXT:
-            button = QtWidgets.QToolButton()
+            button = sign_button("", translate("OK, then {}").format(_menu_text(command)))
             button.setObjectName(f"Go{command}")
             button.setIcon(drawn_icon(name))
-            button.setToolTip(translate("OK, then {}").format(_menu_text(command)))
             button.clicked.connect(lambda _checked=False, chosen=command: self.asked_for.emit(chosen))
             row.addWidget(button)
             self._steps.append(button)

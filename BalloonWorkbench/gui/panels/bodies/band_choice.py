@@ -24,7 +24,7 @@ from BalloonWorkbench.gui.window.user_units import length_text
 
 _WIDTH, _HEIGHT = 76, 64  # px, of a picture
 _DIGITS = 2  # of the band that is put in when one is chosen
-_CHOSEN = "QToolButton:checked { border: 2px solid #1f9ade; border-radius: 4px; }"
+_CHOSEN = "QToolButton:checked { border: 2px solid #1b8ac9; border-radius: 4px; }"
 
 
 class BandChoice(QtCore.QObject):

@@ -72,7 +72,9 @@ class BodySeams(QtWidgets.QWidget):
         )
         self.hint.setObjectName("BodySeamHint")
         self.list.setObjectName("BodySeams")
+        self.list.setAccessibleName(translate("Seams"))
         self.places.setObjectName("SeamPlaces")
+        self.places.setAccessibleName(translate("Places of a seam"))
         self.places.setToolTip(
             translate("Places on the body in mm: two for a cut, one for the chosen seam to be moved to")
         )

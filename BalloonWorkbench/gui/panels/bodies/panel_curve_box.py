@@ -72,10 +72,12 @@ class PanelCurveBox(QtWidgets.QWidget):
         self.look.setObjectName("PanelCurve")
         self.look.setToolTip(translate("Work out how near balloons of 6 to 60 panels come to the body"))
         self.slider.setObjectName("PanelSlider")
+        self.slider.setAccessibleName(translate("Number of panels"))
         self.slider.setPageStep(1)
         self.slider.setTickPosition(QtWidgets.QSlider.TicksBelow)
         self.chosen_text.setObjectName("PanelCurveTold")
         self.within.setObjectName("MeanDistance")
+        self.within.setAccessibleName(translate("Mean distance from the body"))
         self.within.setToolTip(
             translate("How far the balloon may be from the body on average, of the body's diagonal")
         )

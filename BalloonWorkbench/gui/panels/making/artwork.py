@@ -14,6 +14,7 @@ from BalloonWorkbench.app.properties.property_table import put_file
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.machines.machine import machines
 from BalloonWorkbench.core.options.option import snake
+from BalloonWorkbench.gui.accessible import sign_button
 from BalloonWorkbench.gui.paint.preview.painting_display import MODE
 from BalloonWorkbench.gui.panels import show
 from BalloonWorkbench.gui.panels.widgets.fields import PropertyForm
@@ -155,11 +156,8 @@ class PictureRow(QtWidgets.QWidget):
         self.file.setObjectName(name)
         self.file.setPlaceholderText(empty)
         self.file.setMinimumWidth(60)
-        browse, clear = QtWidgets.QToolButton(), QtWidgets.QToolButton()
-        browse.setText("…")
-        browse.setToolTip(translate("Choose a picture"))
-        clear.setText("×")
-        clear.setToolTip(translate("Take the picture away"))
+        browse = sign_button("…", translate("Choose a picture"))
+        clear = sign_button("×", translate("Take the picture away"))
         row = QtWidgets.QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         for widget in (self.file, browse, clear):

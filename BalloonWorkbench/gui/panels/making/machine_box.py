@@ -21,6 +21,7 @@ from BalloonWorkbench.core.machines.preflight import ERROR
 from BalloonWorkbench.core.machines.writers.pdf import TILES
 from BalloonWorkbench.core.options.making import REFUSE, SPLIT, WRITE
 from BalloonWorkbench.core.units import LENGTH_UNITS
+from BalloonWorkbench.gui.accessible import sign_button
 from BalloonWorkbench.gui.panels.making.tab_row import TabRow
 from BalloonWorkbench.gui.panels.widgets.fields import ReturnKey
 from BalloonWorkbench.gui.panels.widgets.narrow import FullList, NarrowCombo, WrappedLabel
@@ -58,11 +59,13 @@ class MachineBox(QtWidgets.QWidget):
             self.choice.setItemData(self.choice.count() - 1, translated(known.note), QtCore.Qt.ToolTipRole)
         self.pages = QtWidgets.QComboBox()
         self.pages.setObjectName("Pages")
+        self.pages.setAccessibleName(translate("Pages"))
         self.pages.addItems([translate("One large page"), *TILES])
         self.note = WrappedLabel()
         self.note.setObjectName("MachineNote")
         self.list = FullList(_HIGHEST)
         self.list.setObjectName("Preflight")
+        self.list.setAccessibleName(translate("Before it is written"))
         self.bed = QtWidgets.QLineEdit()
         self.bed.setObjectName("Bed")
         self.bed.setMinimumWidth(60)
@@ -74,7 +77,9 @@ class MachineBox(QtWidgets.QWidget):
             )
         )
         bed_row = QtWidgets.QHBoxLayout()
-        bed_row.addWidget(QtWidgets.QLabel(translate("Bed")))
+        label = QtWidgets.QLabel(translate("Bed"))
+        label.setBuddy(self.bed)
+        bed_row.addWidget(label)
         bed_row.addWidget(self.bed, 1)
         column = QtWidgets.QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
@@ -96,10 +101,8 @@ class MachineBox(QtWidgets.QWidget):
 
     def _choosing(self):
         """The choice, and a button beside it for machines that are not in it."""
-        own = QtWidgets.QToolButton()
+        own = sign_button("…", translate("Set up machines of your own"))
         own.setObjectName("SetUpMachines")
-        own.setText("…")
-        own.setToolTip(translate("Set up machines of your own"))
         own.clicked.connect(lambda _checked=False: self.set_up.emit())
         row = QtWidgets.QHBoxLayout()
         row.addWidget(self.choice, 1)

@@ -57,6 +57,7 @@ class MachinesPanel(TaskPanel):
         self.preferred = self._known(preferences.get("Machine"))
         self.choice = NarrowCombo()
         self.choice.setObjectName("MachineChoice")
+        self.choice.setAccessibleName(translate("Machine"))
         self.note, self.message, self.question = WrappedLabel(), Message("Message"), WrappedLabel()
         self.note.setObjectName("MachineNote")
         self.values = MachineForm()

@@ -46,6 +46,7 @@ class AdvicePanel(TaskPanel):
         self.source.setObjectName("AdviceSource")
         self.list = FullList(_HIGHEST)
         self.list.setObjectName("Findings")
+        self.list.setAccessibleName(translate("Findings"))
         self.repair = QtWidgets.QPushButton()
         self.repair.setObjectName("Repair")
         self.map = QtWidgets.QCheckBox(translate("Expected thickness"))

@@ -42,6 +42,7 @@ class ColourMapPanel(TaskPanel):
         self.choice.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
         self.choice.setMinimumContentsLength(8)
         self.choice.setObjectName("ColourMap")
+        self.choice.setAccessibleName(translate("Colour map"))
         self.choice.setToolTip(translate("Result that is shown as colours, with a legend"))
         for entry in choices_of(parts.balloon):
             self.choice.addItem(choice_title(entry), entry)

@@ -95,6 +95,7 @@ class StudyPanel(ObjectPanel):
             "StudyMessage": self.message,
         }.items():
             widget.setObjectName(name)
+        self.rows.setAccessibleName(translate("Rows"))
         self.steps.setRange(1, _MOST_STEPS)
         self.steps.setValue(5)
         self.make_rows.setToolTip(translate("Each row of the table once with each of these values"))
@@ -104,6 +105,12 @@ class StudyPanel(ObjectPanel):
         self.first.setToolTip(translate("From this value, with its unit"))
         self.last.setToolTip(translate("To this value, with its unit"))
         self.steps.setToolTip(translate("Number of values, both ends among them"))
+        for choice, text in (
+            (self.column, translate("Vary")),
+            (self.up, translate("Plot")),
+            (self.across, translate("over")),
+        ):
+            choice.setAccessibleName(text)
         form.addRow(translate("Vary"), self.column)
         form.addRow(translate("From"), self.first)
         form.addRow(translate("To"), self.last)

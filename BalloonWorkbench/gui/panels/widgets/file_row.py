@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from BalloonWorkbench.gui.accessible import sign_button
 from BalloonWorkbench.gui.panels.widgets.fields import ReturnKey
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 
@@ -23,9 +24,8 @@ class FileRow(QtWidgets.QWidget):
         self.path.setMinimumWidth(60)
         self.path.setPlaceholderText(hint)
         self.path.setToolTip(tip)
-        browse = QtWidgets.QToolButton()
-        browse.setText("…")
-        browse.setToolTip(translate("Choose a file"))
+        self.path.setAccessibleName(hint)
+        browse = sign_button("…", translate("Choose a file"))
         row = QtWidgets.QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         row.addWidget(self.path)

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from BalloonWorkbench.gui.accessible import name_field
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, number_of, painter_on
 
 _ROOM = 180  # px, for a name and its field in a panel as FreeCAD opens it
@@ -29,11 +30,13 @@ class NarrowForm(QtWidgets.QFormLayout):
         super().__init__(*parent)
         self._all: list[tuple] = []  # the widgets of each row, shown or not
         self._out: set[int] = set()  # numbers of those that are empty
+        self._heading = ""  # the label that is a row of its own, above the field that it names
         self.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
         self.setFieldGrowthPolicy(QtWidgets.QFormLayout.AllNonFixedFieldsGrow)
 
     def addRow(self, *row):
         """Qt would rather cut off an entry of a choice than put it below its name."""
+        self._name(row)
         if len(row) == 2 and isinstance(row[1], QtWidgets.QComboBox):
             name, field = row
             label = QtWidgets.QLabel(name) if isinstance(name, str) else name
@@ -59,6 +62,16 @@ class NarrowForm(QtWidgets.QFormLayout):
                 self.removeWidget(each)  # Qt ignores the empty row that is left
         for each in row:
             each.setVisible(visible)
+
+    def _name(self, row) -> None:
+        """Let screen readers say of a field what stands beside or above it."""
+        heading, self._heading = self._heading, ""
+        if isinstance(row[0], QtWidgets.QLabel) and len(row) == 1:
+            self._heading = row[0].text()
+        elif len(row) == 2:
+            name_field(row[1], row[0] if isinstance(row[0], str) else row[0].text())
+        elif heading:
+            name_field(row[0], heading)
 
     def _append(self, *row) -> None:
         self._all.append(row)

@@ -7,7 +7,7 @@ from BalloonWorkbench.gui.panels.widgets.narrow import fit_heights
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets
 
 #: The page in front is marked in every theme, and its title stays as readable as the others.
-_CHOSEN = "QToolButton:checked { border: 2px solid #1f9ade; border-radius: 4px; padding: 2px; }"
+_CHOSEN = "QToolButton:checked { border: 2px solid #1b8ac9; border-radius: 4px; padding: 2px; }"
 
 
 class Pages(QtWidgets.QWidget):

@@ -9,6 +9,7 @@ from pathlib import Path
 from BalloonWorkbench.app.document.kinds import is_panel
 from BalloonWorkbench.app.properties import preferences
 from BalloonWorkbench.core.files.write import safe_name
+from BalloonWorkbench.gui.accessible import sign_button
 from BalloonWorkbench.gui.panels.widgets.narrow import ElidedLabel
 from BalloonWorkbench.gui.qt import QtWidgets, translate
 
@@ -27,9 +28,7 @@ class TargetFile(QtWidgets.QWidget):
         self.line = QtWidgets.QLineEdit()
         self.line.setObjectName(object_name)
         self.line.setMinimumWidth(60)
-        browse = QtWidgets.QToolButton()
-        browse.setText("…")
-        browse.setToolTip(translate("Choose a file"))
+        browse = sign_button("…", translate("Choose a file"))
         self.place = ElidedLabel()
         self.place.setObjectName(f"{object_name}Folder")
         self.replace = QtWidgets.QCheckBox(translate("Replace the file"))

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from BalloonWorkbench.app.properties import preferences
+from BalloonWorkbench.gui.accessible import sign_button
 from BalloonWorkbench.gui.panels.widgets.narrow import ElidedLabel
 from BalloonWorkbench.gui.qt import QtWidgets, translate
 
@@ -23,9 +24,7 @@ class TargetFolder(QtWidgets.QWidget):
         self.line = QtWidgets.QLineEdit()
         self.line.setObjectName(object_name)
         self.line.setMinimumWidth(60)
-        browse = QtWidgets.QToolButton()
-        browse.setText("…")
-        browse.setToolTip(translate("Choose a folder"))
+        browse = sign_button("…", translate("Choose a folder"))
         self.place = ElidedLabel()
         self.replace = QtWidgets.QCheckBox(translate("Replace the files"))
         self.replace.setObjectName(f"{object_name}Replace")

@@ -5,7 +5,8 @@ from __future__ import annotations
 
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 
-_REFUSED = "color: #c01020"
+#: On a ground of its own: it can be read in every theme.
+_REFUSED = "color: #ffffff; background: #c01020"
 
 
 class WholeBox(QtWidgets.QSpinBox):
