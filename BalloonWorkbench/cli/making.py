@@ -29,11 +29,9 @@ from BalloonWorkbench.core.units import (
 )
 
 if TYPE_CHECKING:  # only what is asked for is loaded
-    from BalloonWorkbench.cli.options import typed
     from BalloonWorkbench.core.bag_job import FinishedBags
     from BalloonWorkbench.core.nesting.layout import Layout, Piece, Stock
     from BalloonWorkbench.core.nesting.remnant import Remnant
-    from BalloonWorkbench.core.options.drawing import TracingOptions
     from BalloonWorkbench.core.products import Artwork
 
 
@@ -171,6 +169,8 @@ def _artwork(options: argparse.Namespace, reader: Callable[[Path], Any]) -> Artw
         if options.artwork_back is not None:
             raise InputError("Give --artwork for the front too.")
         return None
+    from BalloonWorkbench.cli.options import typed
+    from BalloonWorkbench.core.options.drawing import TracingOptions
     from BalloonWorkbench.core.products import Artwork
 
     paths = [Path(name) for name in (options.artwork, options.artwork_back) if name is not None]
