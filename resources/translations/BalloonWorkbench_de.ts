@@ -224,6 +224,10 @@
         <translation>Wie weit entlang dieser Naht, von 0 bis 1 ihrer Länge; 0 nimmt ihre Mitte oder die der Kante</translation>
     </message>
     <message>
+        <source>How far from the background what is drawn must be, of the greatest difference; 0 finds it</source>
+        <translation>Wie weit sich Gezeichnetes vom Hintergrund abheben muss, vom größten Unterschied; 0 findet es</translation>
+    </message>
+    <message>
         <source>How far the balloon may be from its profile or body on average, in parts of the diagonal</source>
         <translation>Wie weit der Ballon im Mittel von seinem Profil oder Körper entfernt sein darf, als Teil der Diagonale</translation>
     </message>
@@ -242,6 +246,10 @@
     <message>
         <source>How large each was then [mm]</source>
         <translation>Wie groß jedes dann war [mm]</translation>
+    </message>
+    <message>
+        <source>How long the ripples are that are smoothed away, in pixels; 0 keeps all</source>
+        <translation>Wie lang Wellen sind, die geglättet werden, in Pixeln; 0 behält alle</translation>
     </message>
     <message>
         <source>How many balloons are cut from the sheet</source>
@@ -668,6 +676,10 @@
         <translation>Skizzen, Drähte und ebene Flächen, die die Bahnen sind, jede von außen gesehen</translation>
     </message>
     <message>
+        <source>Smaller holes, of the area of their shape, are filled</source>
+        <translation>Kleinere Löcher, gemessen an der Fläche ihrer Form, werden gefüllt</translation>
+    </message>
+    <message>
         <source>Smooth stretches as single splines in place of arcs</source>
         <translation>Glatte Strecken als einzelne Splines statt als Bögen</translation>
     </message>
@@ -870,6 +882,10 @@
     <message>
         <source>What is printed; empty takes the picture or painting of the outline</source>
         <translation>Was gedruckt wird; leer nimmt Bild oder Gemaltes des Umrisses</translation>
+    </message>
+    <message>
+        <source>What is thinner, of the size of the drawing, is a line whose inside is filled; 0 keeps all holes</source>
+        <translation>Was dünner ist, gemessen an der Größe der Zeichnung, ist eine Linie, deren Inneres gefüllt wird; 0 behält alle Löcher</translation>
     </message>
     <message>
         <source>What it carries with its gas, in grams; below 0 it sinks</source>
@@ -1319,10 +1335,6 @@
         <translation>„{}“ hat {} x {} Pixel, mehr als {} Millionen. Verkleinern; 2000 Pixel Breite sind reichlich.</translation>
     </message>
     <message>
-        <source>'{}' is not a drawing of lines.</source>
-        <translation>„{}“ ist keine Zeichnung aus Linien.</translation>
-    </message>
-    <message>
         <source>'{}' is not a picture. Save it as PNG, JPEG or BMP once more.</source>
         <translation>„{}“ ist kein Bild. Noch einmal als PNG, JPEG oder BMP speichern.</translation>
     </message>
@@ -1429,6 +1441,10 @@
     <message>
         <source>A closed body; a copy of it travels in the document</source>
         <translation>Ein geschlossener Körper; eine Kopie davon reist im Dokument mit</translation>
+    </message>
+    <message>
+        <source>A colour</source>
+        <translation>Eine Farbe</translation>
     </message>
     <message>
         <source>A corner relief of {0} would cut into the weld: choose a smaller radius or a wider allowance.</source>
@@ -1551,12 +1567,20 @@
         <translation>Ein Durchgang von {0} bleibt bei {1} in der Schweißnaht offen, damit Luft auf beide Seiten kommt.</translation>
     </message>
     <message>
+        <source>A photograph</source>
+        <translation>Ein Foto</translation>
+    </message>
+    <message>
         <source>A picture cannot be drawn as "{0}": choose {1}.</source>
         <translation>Ein Bild kann nicht als „{0}“ gezeichnet sein: {1} wählen.</translation>
     </message>
     <message>
         <source>A picture has no size of its own. Give the width or the height of the balloon.</source>
         <translation>Ein Bild hat keine eigene Größe. Breite oder Höhe des Ballons angeben.</translation>
+    </message>
+    <message>
+        <source>A picture that covers what is behind the balloon, such as a photograph of a room</source>
+        <translation>Ein Bild, das bedeckt, was hinter dem Ballon ist, etwa ein Foto eines Zimmers</translation>
     </message>
     <message>
         <source>A piece does not fit on the sheet: take a larger one.</source>
@@ -1871,6 +1895,10 @@
         <translation>Wie Summa mit OPOS, und der Balken zwischen den unteren Quadraten zeigt der Schneidemaschine, ob der Druck verzogen ist. Legen Sie den Bogen mit dem Balken voran ein. Die Ebene Regmark wird nicht geschnitten.</translation>
     </message>
     <message>
+        <source>As at first</source>
+        <translation>Wie zu Anfang</translation>
+    </message>
+    <message>
         <source>As made</source>
         <translation>Wie gebaut</translation>
     </message>
@@ -1973,6 +2001,10 @@
     <message>
         <source>Bed</source>
         <translation>Bett</translation>
+    </message>
+    <message>
+        <source>Before it is written</source>
+        <translation>Bevor geschrieben wird</translation>
     </message>
     <message>
         <source>Bending stiffness</source>
@@ -2103,6 +2135,10 @@
         <translation>Einen Körper wählen</translation>
     </message>
     <message>
+        <source>Choose a colour</source>
+        <translation>Eine Farbe wählen</translation>
+    </message>
+    <message>
         <source>Choose a drawing</source>
         <translation>Eine Zeichnung wählen</translation>
     </message>
@@ -2169,6 +2205,10 @@
     <message>
         <source>Choose the patterns to lay out.</source>
         <translation>Die Schnittmuster wählen, die ausgelegt werden.</translation>
+    </message>
+    <message>
+        <source>Choose the photograph that is behind the balloon.</source>
+        <translation>Wählen Sie das Foto, das hinter dem Ballon ist.</translation>
     </message>
     <message>
         <source>Circle</source>
@@ -2503,6 +2543,10 @@
         <translation>Kanten des Netzes, an denen mehr als zwei Dreiecke zusammenkommen: {0}, eine davon bei ({1}) des Netzes. Es in dem Programm reparieren, aus dem es kommt, sodass es die Oberfläche eines Volumenkörpers ist.</translation>
     </message>
     <message>
+        <source>Edges of the panels</source>
+        <translation>Kanten der Bahnen</translation>
+    </message>
+    <message>
         <source>Edit artwork</source>
         <translation>Bildvorlage bearbeiten</translation>
     </message>
@@ -2755,6 +2799,10 @@
         <translation>Seinen Ort finden</translation>
     </message>
     <message>
+        <source>Findings</source>
+        <translation>Befunde</translation>
+    </message>
+    <message>
         <source>Fit the film, too</source>
         <translation>Auch die Folie anpassen</translation>
     </message>
@@ -2903,6 +2951,10 @@
         <translation>--artwork auch für die Vorderseite angeben.</translation>
     </message>
     <message>
+        <source>Give --png or --report html with --ground: it is the ground of these.</source>
+        <translation>Geben Sie --png oder --report html zu --ground: davon ist es der Hintergrund.</translation>
+    </message>
+    <message>
         <source>Give a number of panels, into which the body is divided.</source>
         <translation>Eine Zahl von Bahnen angeben, in die der Körper geteilt wird.</translation>
     </message>
@@ -2991,6 +3043,10 @@
         <translation>Grün</translation>
     </message>
     <message>
+        <source>Ground</source>
+        <translation>Hintergrund</translation>
+    </message>
+    <message>
         <source>HPGL is written as polylines: give "arcs": false.</source>
         <translation>HPGL wird als Polylinien geschrieben: "arcs": false angeben.</translation>
     </message>
@@ -3045,6 +3101,10 @@
     <message>
         <source>Hole {0} of panel '{1}' runs counter-clockwise. Turn the order of its points round.</source>
         <translation>Loch {0} der Bahn „{1}“ läuft gegen den Uhrzeigersinn. Die Reihenfolge seiner Punkte umkehren.</translation>
+    </message>
+    <message>
+        <source>Holes from</source>
+        <translation>Löcher ab</translation>
     </message>
     <message>
         <source>Holes of the mesh that were closed: {0}.</source>
@@ -3511,6 +3571,10 @@
         <translation>Linien neben den Formen, die nichts umschließen, wurden weggelassen.</translation>
     </message>
     <message>
+        <source>Lines up to</source>
+        <translation>Linien bis</translation>
+    </message>
+    <message>
         <source>LinuxCNC machine (G-code)</source>
         <translation>LinuxCNC-Maschine (G-Code)</translation>
     </message>
@@ -3613,6 +3677,10 @@
     <message>
         <source>May be cut</source>
         <translation>Darf geschnitten werden</translation>
+    </message>
+    <message>
+        <source>Mean distance from the body</source>
+        <translation>Mittlerer Abstand vom Körper</translation>
     </message>
     <message>
         <source>Measure (M)</source>
@@ -3947,10 +4015,6 @@
         <translation>Hinweise</translation>
     </message>
     <message>
-        <source>Nothing behind the balloon; else the picture is on white</source>
-        <translation>Nichts hinter dem Ballon; sonst ist das Bild auf Weiß</translation>
-    </message>
-    <message>
         <source>Nothing can be computed without it; documents open and keep their shapes.</source>
         <translation>Ohne es kann nichts berechnet werden; Dokumente lassen sich öffnen und behalten ihre Formen.</translation>
     </message>
@@ -3993,6 +4057,10 @@
     <message>
         <source>NumPy took 20 to 30 times longer than the native solver, which fetch-solver fetches.</source>
         <translation>NumPy brauchte 20- bis 30-mal so lange wie der native Löser, den fetch-solver herunterlädt.</translation>
+    </message>
+    <message>
+        <source>Number of panels</source>
+        <translation>Zahl der Bahnen</translation>
     </message>
     <message>
         <source>Number of values, both ends among them</source>
@@ -4209,6 +4277,10 @@
     <message>
         <source>Page {0} of {1}: column {2}, row {3}</source>
         <translation>Seite {0} von {1}: Spalte {2}, Zeile {3}</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Seiten</translation>
     </message>
     <message>
         <source>Paint a balloon</source>
@@ -4505,6 +4577,10 @@
     <message>
         <source>Place on the seam</source>
         <translation>Ort auf der Naht</translation>
+    </message>
+    <message>
+        <source>Places of a seam</source>
+        <translation>Stellen einer Naht</translation>
     </message>
     <message>
         <source>Places on the body in mm: two for a cut, one for the chosen seam to be moved to</source>
@@ -4813,6 +4889,10 @@
     <message>
         <source>Row {0}: {1}</source>
         <translation>Zeile {0}: {1}</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Zeilen</translation>
     </message>
     <message>
         <source>Rows from below: {0}</source>
@@ -5271,6 +5351,10 @@
         <translation>Größe unbekannt</translation>
     </message>
     <message>
+        <source>Smoothness</source>
+        <translation>Glätte</translation>
+    </message>
+    <message>
         <source>So far it is a line. Close it, or paint an area, and it becomes a balloon.</source>
         <translation>Bisher ist es eine Linie. Sie schließen oder eine Fläche malen, dann wird es ein Ballon.</translation>
     </message>
@@ -5525,6 +5609,10 @@
     <message>
         <source>That of the outline</source>
         <translation>Das des Umrisses</translation>
+    </message>
+    <message>
+        <source>That of the page</source>
+        <translation>Der der Seite</translation>
     </message>
     <message>
         <source>That wide</source>
@@ -6443,6 +6531,10 @@
         <translation>Das Bild ist zu klein, um eine Form zu erkennen. Mindestens {0} Pixel Breite benutzen.</translation>
     </message>
     <message>
+        <source>The picture is traced as it is without a choice of yours</source>
+        <translation>Das Bild wird nachgezeichnet wie ohne Ihre Wahl</translation>
+    </message>
+    <message>
         <source>The picture of a body of gores goes all round: leave out --artwork-back.</source>
         <translation>Das Bild eines Körpers aus Segmenten geht ringsherum: --artwork-back weglassen.</translation>
     </message>
@@ -6935,6 +7027,10 @@
         <translation>Die Linie {0}, die bei {1} beginnt, ist offen: Programme füllen, versetzen und schneiden nur geschlossene. Sie schließen.</translation>
     </message>
     <message>
+        <source>The {0} must be between 0 and {1}.</source>
+        <translation>{0} muss zwischen 0 und {1} liegen.</translation>
+    </message>
+    <message>
         <source>The {0} of a {1} must be from {2} to {3}.</source>
         <translation>Für {1} muss {0} von {2} bis {3} sein.</translation>
     </message>
@@ -7235,6 +7331,10 @@
         <translation>Diese Spitze bleibt auf {length} flach: Sie ist zu spitz. Sie mit einem Radius von {wanted} runden.</translation>
     </message>
     <message>
+        <source>Threshold</source>
+        <translation>Schwelle</translation>
+    </message>
+    <message>
         <source>Tie a ribbon round the neck, and to it a weight heavier than the {lift} that {gas} lifts. No metallic ribbon on foil, never let it fly.</source>
         <translation>Ein Band um den Hals binden und daran ein Gewicht, schwerer als die {lift}, die {gas} hebt. Kein metallisches Band an Folie, nie fliegen lassen.</translation>
     </message>
@@ -7303,8 +7403,8 @@
         <translation>Transparentpapier, 92 g/m²</translation>
     </message>
     <message>
-        <source>Transparent ground</source>
-        <translation>Durchsichtiger Grund</translation>
+        <source>Transparent</source>
+        <translation>Durchsichtig</translation>
     </message>
     <message>
         <source>Triangle {0} of panel {1} has no area. Mesh the panel anew.</source>
@@ -7569,6 +7669,10 @@
     <message>
         <source>What</source>
         <translation>Was</translation>
+    </message>
+    <message>
+        <source>What is behind the balloon</source>
+        <translation>Was hinter dem Ballon ist</translation>
     </message>
     <message>
         <source>What is cut is a line in the spot colour CutContour, which prints over the picture and leaves no gap in it. With artwork both are in artwork-print-and-cut-pdf.pdf. The shop's program adds marks of its own.</source>
@@ -7989,6 +8093,10 @@
     <message>
         <source>at most {} {}</source>
         <translation>höchstens {} {}</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatisch</translation>
     </message>
     <message>
         <source>back</source>
@@ -9565,6 +9673,10 @@
     <message>
         <source>{} panels: about {} off, {} of seams, {} h of welding</source>
         <translation>{} Bahnen: etwa {} daneben, {} Nähte, {} h Schweißen</translation>
+    </message>
+    <message>
+        <source>{} px</source>
+        <translation>{} px</translation>
     </message>
     <message>
         <source>{} to {}</source>

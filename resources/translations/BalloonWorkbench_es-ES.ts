@@ -224,6 +224,10 @@
         <translation>A qué distancia a lo largo de esa costura, de 0 a 1 de su longitud; 0 toma su mitad, o la del borde</translation>
     </message>
     <message>
+        <source>How far from the background what is drawn must be, of the greatest difference; 0 finds it</source>
+        <translation>Cuánto debe distinguirse lo dibujado del fondo, en parte de la mayor diferencia; 0 lo encuentra</translation>
+    </message>
+    <message>
         <source>How far the balloon may be from its profile or body on average, in parts of the diagonal</source>
         <translation>Cuánto puede apartarse de media el globo de su perfil o cuerpo, en partes de la diagonal</translation>
     </message>
@@ -242,6 +246,10 @@
     <message>
         <source>How large each was then [mm]</source>
         <translation>Tamaño que tenía entonces cada una [mm]</translation>
+    </message>
+    <message>
+        <source>How long the ripples are that are smoothed away, in pixels; 0 keeps all</source>
+        <translation>Longitud de las ondas que se alisan, en píxeles; 0 las conserva todas</translation>
     </message>
     <message>
         <source>How many balloons are cut from the sheet</source>
@@ -668,6 +676,10 @@
         <translation>Croquis, alambres y caras planas que son los paneles, cada uno visto desde fuera</translation>
     </message>
     <message>
+        <source>Smaller holes, of the area of their shape, are filled</source>
+        <translation>Los agujeros menores, en parte del área de su forma, se rellenan</translation>
+    </message>
+    <message>
         <source>Smooth stretches as single splines in place of arcs</source>
         <translation>Tramos suaves como una sola spline en lugar de arcos</translation>
     </message>
@@ -870,6 +882,10 @@
     <message>
         <source>What is printed; empty takes the picture or painting of the outline</source>
         <translation>Qué se imprime; vacío toma la imagen o pintura del contorno</translation>
+    </message>
+    <message>
+        <source>What is thinner, of the size of the drawing, is a line whose inside is filled; 0 keeps all holes</source>
+        <translation>Lo más delgado, en parte del tamaño del dibujo, es una línea cuyo interior se rellena; 0 conserva todos los agujeros</translation>
     </message>
     <message>
         <source>What it carries with its gas, in grams; below 0 it sinks</source>
@@ -1319,10 +1335,6 @@
         <translation>«{}» tiene {} x {} píxeles, más de {} millones. Redúzcala; 2000 píxeles de ancho bastan de sobra.</translation>
     </message>
     <message>
-        <source>'{}' is not a drawing of lines.</source>
-        <translation>«{}» no es un dibujo de líneas.</translation>
-    </message>
-    <message>
         <source>'{}' is not a picture. Save it as PNG, JPEG or BMP once more.</source>
         <translation>«{}» no es una imagen. Guárdela de nuevo como PNG, JPEG o BMP.</translation>
     </message>
@@ -1429,6 +1441,10 @@
     <message>
         <source>A closed body; a copy of it travels in the document</source>
         <translation>Un cuerpo cerrado; una copia de él viaja en el documento</translation>
+    </message>
+    <message>
+        <source>A colour</source>
+        <translation>Un color</translation>
     </message>
     <message>
         <source>A corner relief of {0} would cut into the weld: choose a smaller radius or a wider allowance.</source>
@@ -1551,12 +1567,20 @@
         <translation>Queda un paso de {0} abierto en la soldadura en {1}, para que el aire llegue a ambos lados.</translation>
     </message>
     <message>
+        <source>A photograph</source>
+        <translation>Una foto</translation>
+    </message>
+    <message>
         <source>A picture cannot be drawn as "{0}": choose {1}.</source>
         <translation>Una imagen no puede estar dibujada como «{0}»: elija {1}.</translation>
     </message>
     <message>
         <source>A picture has no size of its own. Give the width or the height of the balloon.</source>
         <translation>Una imagen no tiene tamaño propio. Indique la anchura o la altura del globo.</translation>
+    </message>
+    <message>
+        <source>A picture that covers what is behind the balloon, such as a photograph of a room</source>
+        <translation>Una imagen que cubre lo que hay detrás del globo, como la foto de una habitación</translation>
     </message>
     <message>
         <source>A piece does not fit on the sheet: take a larger one.</source>
@@ -1871,6 +1895,10 @@
         <translation>Como Summa con OPOS, y la barra entre los cuadrados de abajo muestra a la cortadora si la impresión está curvada. Meta la lámina con la barra por delante. La capa Regmark no se corta.</translation>
     </message>
     <message>
+        <source>As at first</source>
+        <translation>Como al principio</translation>
+    </message>
+    <message>
         <source>As made</source>
         <translation>Como quedó</translation>
     </message>
@@ -1973,6 +2001,10 @@
     <message>
         <source>Bed</source>
         <translation>Cama</translation>
+    </message>
+    <message>
+        <source>Before it is written</source>
+        <translation>Antes de escribir</translation>
     </message>
     <message>
         <source>Bending stiffness</source>
@@ -2103,6 +2135,10 @@
         <translation>Elija un cuerpo</translation>
     </message>
     <message>
+        <source>Choose a colour</source>
+        <translation>Elegir un color</translation>
+    </message>
+    <message>
         <source>Choose a drawing</source>
         <translation>Elegir un dibujo</translation>
     </message>
@@ -2169,6 +2205,10 @@
     <message>
         <source>Choose the patterns to lay out.</source>
         <translation>Elija los patrones que se van a colocar.</translation>
+    </message>
+    <message>
+        <source>Choose the photograph that is behind the balloon.</source>
+        <translation>Elija la foto que está detrás del globo.</translation>
     </message>
     <message>
         <source>Circle</source>
@@ -2503,6 +2543,10 @@
         <translation>Bordes de la malla en los que se juntan más de dos triángulos: {0}, uno de ellos en ({1}) de la malla. Repárela en el programa del que viene, para que sea la superficie de un sólido.</translation>
     </message>
     <message>
+        <source>Edges of the panels</source>
+        <translation>Bordes de los paneles</translation>
+    </message>
+    <message>
         <source>Edit artwork</source>
         <translation>Editar ilustración</translation>
     </message>
@@ -2755,6 +2799,10 @@
         <translation>Buscar su lugar</translation>
     </message>
     <message>
+        <source>Findings</source>
+        <translation>Hallazgos</translation>
+    </message>
+    <message>
         <source>Fit the film, too</source>
         <translation>Ajustar también la película</translation>
     </message>
@@ -2903,6 +2951,10 @@
         <translation>Indique también --artwork para el frente.</translation>
     </message>
     <message>
+        <source>Give --png or --report html with --ground: it is the ground of these.</source>
+        <translation>Dé --png o --report html con --ground: es el fondo de estos.</translation>
+    </message>
+    <message>
         <source>Give a number of panels, into which the body is divided.</source>
         <translation>Indique un número de paneles en que se divida el cuerpo.</translation>
     </message>
@@ -2991,6 +3043,10 @@
         <translation>Verde</translation>
     </message>
     <message>
+        <source>Ground</source>
+        <translation>Fondo</translation>
+    </message>
+    <message>
         <source>HPGL is written as polylines: give "arcs": false.</source>
         <translation>HPGL se escribe como polilíneas: indique "arcs": false.</translation>
     </message>
@@ -3045,6 +3101,10 @@
     <message>
         <source>Hole {0} of panel '{1}' runs counter-clockwise. Turn the order of its points round.</source>
         <translation>El agujero {0} del panel «{1}» gira en sentido antihorario. Invierta el orden de sus puntos.</translation>
+    </message>
+    <message>
+        <source>Holes from</source>
+        <translation>Agujeros desde</translation>
     </message>
     <message>
         <source>Holes of the mesh that were closed: {0}.</source>
@@ -3511,6 +3571,10 @@
         <translation>Se omitieron las líneas junto a las formas que no encierran nada.</translation>
     </message>
     <message>
+        <source>Lines up to</source>
+        <translation>Líneas hasta</translation>
+    </message>
+    <message>
         <source>LinuxCNC machine (G-code)</source>
         <translation>Máquina LinuxCNC (código G)</translation>
     </message>
@@ -3613,6 +3677,10 @@
     <message>
         <source>May be cut</source>
         <translation>Se puede cortar</translation>
+    </message>
+    <message>
+        <source>Mean distance from the body</source>
+        <translation>Distancia media al cuerpo</translation>
     </message>
     <message>
         <source>Measure (M)</source>
@@ -3947,10 +4015,6 @@
         <translation>Notas</translation>
     </message>
     <message>
-        <source>Nothing behind the balloon; else the picture is on white</source>
-        <translation>Nada detrás del globo; si no, la imagen va sobre blanco</translation>
-    </message>
-    <message>
         <source>Nothing can be computed without it; documents open and keep their shapes.</source>
         <translation>Sin él no se puede calcular nada; los documentos se abren y conservan sus formas.</translation>
     </message>
@@ -3993,6 +4057,10 @@
     <message>
         <source>NumPy took 20 to 30 times longer than the native solver, which fetch-solver fetches.</source>
         <translation>NumPy tardó de 20 a 30 veces más que el solucionador nativo, que se descarga con fetch-solver.</translation>
+    </message>
+    <message>
+        <source>Number of panels</source>
+        <translation>Número de paneles</translation>
     </message>
     <message>
         <source>Number of values, both ends among them</source>
@@ -4209,6 +4277,10 @@
     <message>
         <source>Page {0} of {1}: column {2}, row {3}</source>
         <translation>Página {0} de {1}: columna {2}, fila {3}</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Páginas</translation>
     </message>
     <message>
         <source>Paint a balloon</source>
@@ -4505,6 +4577,10 @@
     <message>
         <source>Place on the seam</source>
         <translation>Lugar en la costura</translation>
+    </message>
+    <message>
+        <source>Places of a seam</source>
+        <translation>Puntos de una costura</translation>
     </message>
     <message>
         <source>Places on the body in mm: two for a cut, one for the chosen seam to be moved to</source>
@@ -4813,6 +4889,10 @@
     <message>
         <source>Row {0}: {1}</source>
         <translation>Fila {0}: {1}</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Filas</translation>
     </message>
     <message>
         <source>Rows from below: {0}</source>
@@ -5271,6 +5351,10 @@
         <translation>Tamaño desconocido</translation>
     </message>
     <message>
+        <source>Smoothness</source>
+        <translation>Suavidad</translation>
+    </message>
+    <message>
         <source>So far it is a line. Close it, or paint an area, and it becomes a balloon.</source>
         <translation>De momento es una línea. Ciérrela o pinte una superficie y será un globo.</translation>
     </message>
@@ -5525,6 +5609,10 @@
     <message>
         <source>That of the outline</source>
         <translation>La del contorno</translation>
+    </message>
+    <message>
+        <source>That of the page</source>
+        <translation>El de la página</translation>
     </message>
     <message>
         <source>That wide</source>
@@ -6443,6 +6531,10 @@
         <translation>La imagen es demasiado pequeña para ver una forma. Use al menos {0} píxeles de ancho.</translation>
     </message>
     <message>
+        <source>The picture is traced as it is without a choice of yours</source>
+        <translation>La imagen se traza como sin elección suya</translation>
+    </message>
+    <message>
         <source>The picture of a body of gores goes all round: leave out --artwork-back.</source>
         <translation>La imagen de un cuerpo de gajos da toda la vuelta: quite --artwork-back.</translation>
     </message>
@@ -6935,6 +7027,10 @@
         <translation>La línea {0} que empieza en {1} está abierta: los programas solo rellenan, desplazan y cortan líneas cerradas. Ciérrela.</translation>
     </message>
     <message>
+        <source>The {0} must be between 0 and {1}.</source>
+        <translation>{0} debe estar entre 0 y {1}.</translation>
+    </message>
+    <message>
         <source>The {0} of a {1} must be from {2} to {3}.</source>
         <translation>El valor ({0}) de la herramienta ({1}) debe ser de {2} a {3}.</translation>
     </message>
@@ -7235,6 +7331,10 @@
         <translation>Esta punta queda plana a lo largo de {length}: es demasiado aguda. Redondéela con un radio de {wanted}.</translation>
     </message>
     <message>
+        <source>Threshold</source>
+        <translation>Umbral</translation>
+    </message>
+    <message>
         <source>Tie a ribbon round the neck, and to it a weight heavier than the {lift} that {gas} lifts. No metallic ribbon on foil, never let it fly.</source>
         <translation>Ate una cinta al cuello, y a ella un peso mayor que los {lift} que levanta el gas ({gas}). Nada de cinta metálica en película metalizada, no lo suelte nunca.</translation>
     </message>
@@ -7303,8 +7403,8 @@
         <translation>Papel vegetal, 92 g/m²</translation>
     </message>
     <message>
-        <source>Transparent ground</source>
-        <translation>Fondo transparente</translation>
+        <source>Transparent</source>
+        <translation>Transparente</translation>
     </message>
     <message>
         <source>Triangle {0} of panel {1} has no area. Mesh the panel anew.</source>
@@ -7569,6 +7669,10 @@
     <message>
         <source>What</source>
         <translation>Qué</translation>
+    </message>
+    <message>
+        <source>What is behind the balloon</source>
+        <translation>Lo que hay detrás del globo</translation>
     </message>
     <message>
         <source>What is cut is a line in the spot colour CutContour, which prints over the picture and leaves no gap in it. With artwork both are in artwork-print-and-cut-pdf.pdf. The shop's program adds marks of its own.</source>
@@ -7989,6 +8093,10 @@
     <message>
         <source>at most {} {}</source>
         <translation>como mucho {} {}</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automático</translation>
     </message>
     <message>
         <source>back</source>
@@ -9565,6 +9673,10 @@
     <message>
         <source>{} panels: about {} off, {} of seams, {} h of welding</source>
         <translation>{} paneles: desvío de unos {}, {} de costuras, {} h de soldadura</translation>
+    </message>
+    <message>
+        <source>{} px</source>
+        <translation>{} px</translation>
     </message>
     <message>
         <source>{} to {}</source>

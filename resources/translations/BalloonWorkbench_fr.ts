@@ -224,6 +224,10 @@
         <translation>À quelle distance le long de cette couture, de 0 à 1 de sa longueur ; 0 prend son milieu, ou celui du bord</translation>
     </message>
     <message>
+        <source>How far from the background what is drawn must be, of the greatest difference; 0 finds it</source>
+        <translation>De combien ce qui est dessiné doit se distinguer du fond, en part du plus grand écart ; 0 le trouve</translation>
+    </message>
+    <message>
         <source>How far the balloon may be from its profile or body on average, in parts of the diagonal</source>
         <translation>De combien le ballon peut s'écarter en moyenne de son profil ou de son corps, en part de la diagonale</translation>
     </message>
@@ -242,6 +246,10 @@
     <message>
         <source>How large each was then [mm]</source>
         <translation>Taille de chacune alors [mm]</translation>
+    </message>
+    <message>
+        <source>How long the ripples are that are smoothed away, in pixels; 0 keeps all</source>
+        <translation>Longueur des ondulations qui sont lissées, en pixels ; 0 les garde toutes</translation>
     </message>
     <message>
         <source>How many balloons are cut from the sheet</source>
@@ -668,6 +676,10 @@
         <translation>Esquisses, fils et faces planes qui sont les panneaux, chacun vu de l'extérieur</translation>
     </message>
     <message>
+        <source>Smaller holes, of the area of their shape, are filled</source>
+        <translation>Les trous plus petits, en part de l'aire de leur forme, sont remplis</translation>
+    </message>
+    <message>
         <source>Smooth stretches as single splines in place of arcs</source>
         <translation>Parties lisses en une seule spline au lieu d'arcs</translation>
     </message>
@@ -870,6 +882,10 @@
     <message>
         <source>What is printed; empty takes the picture or painting of the outline</source>
         <translation>Ce qui est imprimé ; vide prend l'image ou la peinture du contour</translation>
+    </message>
+    <message>
+        <source>What is thinner, of the size of the drawing, is a line whose inside is filled; 0 keeps all holes</source>
+        <translation>Ce qui est plus mince, en part de la taille du dessin, est une ligne dont l'intérieur est rempli ; 0 garde tous les trous</translation>
     </message>
     <message>
         <source>What it carries with its gas, in grams; below 0 it sinks</source>
@@ -1319,10 +1335,6 @@
         <translation>« {} » a {} x {} pixels, plus de {} millions. Réduisez-la ; 2000 pixels de large suffisent largement.</translation>
     </message>
     <message>
-        <source>'{}' is not a drawing of lines.</source>
-        <translation>« {} » n'est pas un dessin de lignes.</translation>
-    </message>
-    <message>
         <source>'{}' is not a picture. Save it as PNG, JPEG or BMP once more.</source>
         <translation>« {} » n'est pas une image. Enregistrez-la à nouveau en PNG, JPEG ou BMP.</translation>
     </message>
@@ -1429,6 +1441,10 @@
     <message>
         <source>A closed body; a copy of it travels in the document</source>
         <translation>Un corps fermé ; une copie voyage dans le document</translation>
+    </message>
+    <message>
+        <source>A colour</source>
+        <translation>Une couleur</translation>
     </message>
     <message>
         <source>A corner relief of {0} would cut into the weld: choose a smaller radius or a wider allowance.</source>
@@ -1551,12 +1567,20 @@
         <translation>Un passage de {0} reste ouvert dans la soudure en {1}, pour que l'air atteigne les deux côtés.</translation>
     </message>
     <message>
+        <source>A photograph</source>
+        <translation>Une photo</translation>
+    </message>
+    <message>
         <source>A picture cannot be drawn as "{0}": choose {1}.</source>
         <translation>Une image ne peut pas être dessinée comme « {0} » : choisissez {1}.</translation>
     </message>
     <message>
         <source>A picture has no size of its own. Give the width or the height of the balloon.</source>
         <translation>Une image n'a pas de taille propre. Donnez la largeur ou la hauteur du ballon.</translation>
+    </message>
+    <message>
+        <source>A picture that covers what is behind the balloon, such as a photograph of a room</source>
+        <translation>Une image qui couvre ce qui est derrière le ballon, comme la photo d'une pièce</translation>
     </message>
     <message>
         <source>A piece does not fit on the sheet: take a larger one.</source>
@@ -1871,6 +1895,10 @@
         <translation>Comme Summa avec OPOS, et la barre entre les carrés du bas montre au plotter si l'impression est courbée. Engagez la feuille la barre en avant. Le calque Regmark n'est pas coupé.</translation>
     </message>
     <message>
+        <source>As at first</source>
+        <translation>Comme au début</translation>
+    </message>
+    <message>
         <source>As made</source>
         <translation>Tel que fabriqué</translation>
     </message>
@@ -1973,6 +2001,10 @@
     <message>
         <source>Bed</source>
         <translation>Plateau</translation>
+    </message>
+    <message>
+        <source>Before it is written</source>
+        <translation>Avant d'écrire</translation>
     </message>
     <message>
         <source>Bending stiffness</source>
@@ -2103,6 +2135,10 @@
         <translation>Choisir un corps</translation>
     </message>
     <message>
+        <source>Choose a colour</source>
+        <translation>Choisir une couleur</translation>
+    </message>
+    <message>
         <source>Choose a drawing</source>
         <translation>Choisir un dessin</translation>
     </message>
@@ -2169,6 +2205,10 @@
     <message>
         <source>Choose the patterns to lay out.</source>
         <translation>Choisissez les patrons à disposer.</translation>
+    </message>
+    <message>
+        <source>Choose the photograph that is behind the balloon.</source>
+        <translation>Choisissez la photo qui est derrière le ballon.</translation>
     </message>
     <message>
         <source>Circle</source>
@@ -2503,6 +2543,10 @@
         <translation>Arêtes du maillage où se rejoignent plus de deux triangles : {0}, dont une en ({1}) du maillage. Réparez-le dans le programme d'où il vient, pour qu'il soit la surface d'un solide.</translation>
     </message>
     <message>
+        <source>Edges of the panels</source>
+        <translation>Bords des panneaux</translation>
+    </message>
+    <message>
         <source>Edit artwork</source>
         <translation>Modifier l'illustration</translation>
     </message>
@@ -2755,6 +2799,10 @@
         <translation>Trouver sa place</translation>
     </message>
     <message>
+        <source>Findings</source>
+        <translation>Constats</translation>
+    </message>
+    <message>
         <source>Fit the film, too</source>
         <translation>Ajuster aussi le film</translation>
     </message>
@@ -2903,6 +2951,10 @@
         <translation>Donnez aussi --artwork pour le devant.</translation>
     </message>
     <message>
+        <source>Give --png or --report html with --ground: it is the ground of these.</source>
+        <translation>Donnez --png ou --report html avec --ground : c'en est le fond.</translation>
+    </message>
+    <message>
         <source>Give a number of panels, into which the body is divided.</source>
         <translation>Donnez un nombre de panneaux, en lesquels le corps est divisé.</translation>
     </message>
@@ -2991,6 +3043,10 @@
         <translation>Vert</translation>
     </message>
     <message>
+        <source>Ground</source>
+        <translation>Fond</translation>
+    </message>
+    <message>
         <source>HPGL is written as polylines: give "arcs": false.</source>
         <translation>Le HPGL s'écrit en polylignes : donnez "arcs": false.</translation>
     </message>
@@ -3045,6 +3101,10 @@
     <message>
         <source>Hole {0} of panel '{1}' runs counter-clockwise. Turn the order of its points round.</source>
         <translation>Le trou {0} du panneau « {1} » tourne dans le sens inverse des aiguilles. Inversez l'ordre de ses points.</translation>
+    </message>
+    <message>
+        <source>Holes from</source>
+        <translation>Trous dès</translation>
     </message>
     <message>
         <source>Holes of the mesh that were closed: {0}.</source>
@@ -3511,6 +3571,10 @@
         <translation>Les lignes à côté des formes qui n'entourent rien ont été omises.</translation>
     </message>
     <message>
+        <source>Lines up to</source>
+        <translation>Lignes jusqu'à</translation>
+    </message>
+    <message>
         <source>LinuxCNC machine (G-code)</source>
         <translation>Machine LinuxCNC (G-code)</translation>
     </message>
@@ -3613,6 +3677,10 @@
     <message>
         <source>May be cut</source>
         <translation>Peut être coupé</translation>
+    </message>
+    <message>
+        <source>Mean distance from the body</source>
+        <translation>Distance moyenne au corps</translation>
     </message>
     <message>
         <source>Measure (M)</source>
@@ -3947,10 +4015,6 @@
         <translation>Remarques</translation>
     </message>
     <message>
-        <source>Nothing behind the balloon; else the picture is on white</source>
-        <translation>Rien derrière le ballon ; sinon l'image est sur fond blanc</translation>
-    </message>
-    <message>
         <source>Nothing can be computed without it; documents open and keep their shapes.</source>
         <translation>Sans lui, rien ne peut être calculé ; les documents s'ouvrent et gardent leurs formes.</translation>
     </message>
@@ -3993,6 +4057,10 @@
     <message>
         <source>NumPy took 20 to 30 times longer than the native solver, which fetch-solver fetches.</source>
         <translation>NumPy a mis 20 à 30 fois plus de temps que le solveur natif, que fetch-solver télécharge.</translation>
+    </message>
+    <message>
+        <source>Number of panels</source>
+        <translation>Nombre de panneaux</translation>
     </message>
     <message>
         <source>Number of values, both ends among them</source>
@@ -4209,6 +4277,10 @@
     <message>
         <source>Page {0} of {1}: column {2}, row {3}</source>
         <translation>Page {0} sur {1} : colonne {2}, ligne {3}</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Pages</translation>
     </message>
     <message>
         <source>Paint a balloon</source>
@@ -4505,6 +4577,10 @@
     <message>
         <source>Place on the seam</source>
         <translation>Place sur la couture</translation>
+    </message>
+    <message>
+        <source>Places of a seam</source>
+        <translation>Points d'une couture</translation>
     </message>
     <message>
         <source>Places on the body in mm: two for a cut, one for the chosen seam to be moved to</source>
@@ -4813,6 +4889,10 @@
     <message>
         <source>Row {0}: {1}</source>
         <translation>Ligne {0} : {1}</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Lignes</translation>
     </message>
     <message>
         <source>Rows from below: {0}</source>
@@ -5271,6 +5351,10 @@
         <translation>Taille inconnue</translation>
     </message>
     <message>
+        <source>Smoothness</source>
+        <translation>Lissage</translation>
+    </message>
+    <message>
         <source>So far it is a line. Close it, or paint an area, and it becomes a balloon.</source>
         <translation>Pour l'instant c'est une ligne. Fermez-la, ou peignez une surface, et elle devient un ballon.</translation>
     </message>
@@ -5525,6 +5609,10 @@
     <message>
         <source>That of the outline</source>
         <translation>Celle du contour</translation>
+    </message>
+    <message>
+        <source>That of the page</source>
+        <translation>Celui de la page</translation>
     </message>
     <message>
         <source>That wide</source>
@@ -6443,6 +6531,10 @@
         <translation>L'image est trop petite pour y voir une forme. Prenez au moins {0} pixels de large.</translation>
     </message>
     <message>
+        <source>The picture is traced as it is without a choice of yours</source>
+        <translation>L'image est tracée comme sans choix de votre part</translation>
+    </message>
+    <message>
         <source>The picture of a body of gores goes all round: leave out --artwork-back.</source>
         <translation>L'image d'un corps de fuseaux fait tout le tour : retirez --artwork-back.</translation>
     </message>
@@ -6935,6 +7027,10 @@
         <translation>La ligne {0} qui commence en {1} est ouverte : les programmes ne remplissent, décalent et coupent que des lignes fermées. Fermez-la.</translation>
     </message>
     <message>
+        <source>The {0} must be between 0 and {1}.</source>
+        <translation>{0} doit être entre 0 et {1}.</translation>
+    </message>
+    <message>
         <source>The {0} of a {1} must be from {2} to {3}.</source>
         <translation>Pour {1}, {0} doit être de {2} à {3}.</translation>
     </message>
@@ -7235,6 +7331,10 @@
         <translation>Cette pointe reste plate sur {length} : elle est trop effilée. Arrondissez-la au rayon de {wanted}.</translation>
     </message>
     <message>
+        <source>Threshold</source>
+        <translation>Seuil</translation>
+    </message>
+    <message>
         <source>Tie a ribbon round the neck, and to it a weight heavier than the {lift} that {gas} lifts. No metallic ribbon on foil, never let it fly.</source>
         <translation>Nouez un ruban autour du col, et à ce ruban un poids plus lourd que les {lift} que porte le gaz ({gas}). Pas de ruban métallique sur un film métallisé, et ne le laissez jamais s'envoler.</translation>
     </message>
@@ -7303,8 +7403,8 @@
         <translation>Papier calque, 92 g/m²</translation>
     </message>
     <message>
-        <source>Transparent ground</source>
-        <translation>Fond transparent</translation>
+        <source>Transparent</source>
+        <translation>Transparent</translation>
     </message>
     <message>
         <source>Triangle {0} of panel {1} has no area. Mesh the panel anew.</source>
@@ -7569,6 +7669,10 @@
     <message>
         <source>What</source>
         <translation>Quoi</translation>
+    </message>
+    <message>
+        <source>What is behind the balloon</source>
+        <translation>Ce qui est derrière le ballon</translation>
     </message>
     <message>
         <source>What is cut is a line in the spot colour CutContour, which prints over the picture and leaves no gap in it. With artwork both are in artwork-print-and-cut-pdf.pdf. The shop's program adds marks of its own.</source>
@@ -7989,6 +8093,10 @@
     <message>
         <source>at most {} {}</source>
         <translation>au plus {} {}</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatique</translation>
     </message>
     <message>
         <source>back</source>
@@ -9565,6 +9673,10 @@
     <message>
         <source>{} panels: about {} off, {} of seams, {} h of welding</source>
         <translation>{} panneaux : écart d'environ {}, {} de coutures, {} h de soudage</translation>
+    </message>
+    <message>
+        <source>{} px</source>
+        <translation>{} px</translation>
     </message>
     <message>
         <source>{} to {}</source>

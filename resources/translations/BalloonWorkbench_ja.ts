@@ -224,6 +224,10 @@
         <translation>その継ぎ目に沿った位置（長さの 0～1）。0 なら継ぎ目か辺の中央</translation>
     </message>
     <message>
+        <source>How far from the background what is drawn must be, of the greatest difference; 0 finds it</source>
+        <translation>描いたものが背景からどれだけ離れていなければならないか、最大の差に対する割合。0 なら自動</translation>
+    </message>
+    <message>
         <source>How far the balloon may be from its profile or body on average, in parts of the diagonal</source>
         <translation>風船が断面や立体から平均でどれだけ離れてよいか（対角線に対する割合）</translation>
     </message>
@@ -242,6 +246,10 @@
     <message>
         <source>How large each was then [mm]</source>
         <translation>そのときの各部品の大きさ [mm]</translation>
+    </message>
+    <message>
+        <source>How long the ripples are that are smoothed away, in pixels; 0 keeps all</source>
+        <translation>ならして消す波の長さ、ピクセル。0 ならすべて残す</translation>
     </message>
     <message>
         <source>How many balloons are cut from the sheet</source>
@@ -668,6 +676,10 @@
         <translation>パネルになるスケッチ、ワイヤー、平らな面（外から見た向き）</translation>
     </message>
     <message>
+        <source>Smaller holes, of the area of their shape, are filled</source>
+        <translation>形の面積に対してこれより小さい穴は塗りつぶす</translation>
+    </message>
+    <message>
         <source>Smooth stretches as single splines in place of arcs</source>
         <translation>滑らかな区間を円弧ではなく 1 本のスプラインにする</translation>
     </message>
@@ -870,6 +882,10 @@
     <message>
         <source>What is printed; empty takes the picture or painting of the outline</source>
         <translation>印刷する絵（空なら輪郭の画像や絵）</translation>
+    </message>
+    <message>
+        <source>What is thinner, of the size of the drawing, is a line whose inside is filled; 0 keeps all holes</source>
+        <translation>図の大きさに対してこれより細いものは線とし、その内側を塗りつぶす。0 ならすべての穴を残す</translation>
     </message>
     <message>
         <source>What it carries with its gas, in grams; below 0 it sinks</source>
@@ -1319,10 +1335,6 @@
         <translation>「{}」は {} x {} ピクセルで、{} 百万を超えています。小さくしてください。幅 2000 ピクセルあれば十分です。</translation>
     </message>
     <message>
-        <source>'{}' is not a drawing of lines.</source>
-        <translation>「{}」は線の図ではありません。</translation>
-    </message>
-    <message>
         <source>'{}' is not a picture. Save it as PNG, JPEG or BMP once more.</source>
         <translation>「{}」は画像ではありません。PNG、JPEG、BMP で保存し直してください。</translation>
     </message>
@@ -1429,6 +1441,10 @@
     <message>
         <source>A closed body; a copy of it travels in the document</source>
         <translation>閉じた立体。写しが文書に入ります</translation>
+    </message>
+    <message>
+        <source>A colour</source>
+        <translation>色</translation>
     </message>
     <message>
         <source>A corner relief of {0} would cut into the weld: choose a smaller radius or a wider allowance.</source>
@@ -1551,12 +1567,20 @@
         <translation>空気が両側に届くように、溶着線の {1} に {0} の通路を残しました。</translation>
     </message>
     <message>
+        <source>A photograph</source>
+        <translation>写真</translation>
+    </message>
+    <message>
         <source>A picture cannot be drawn as "{0}": choose {1}.</source>
         <translation>画像の描き方「{0}」は使えません。{1} から選んでください。</translation>
     </message>
     <message>
         <source>A picture has no size of its own. Give the width or the height of the balloon.</source>
         <translation>画像には寸法がありません。風船の幅か高さを入力してください。</translation>
+    </message>
+    <message>
+        <source>A picture that covers what is behind the balloon, such as a photograph of a room</source>
+        <translation>風船の後ろを覆う画像、部屋の写真など</translation>
     </message>
     <message>
         <source>A piece does not fit on the sheet: take a larger one.</source>
@@ -1871,6 +1895,10 @@
         <translation>「OPOS 付き Summa」と同じですが、下の四角の間の棒で印刷のゆがみも読み取ります。棒のある側から先にシートを送ってください。レイヤー Regmark は切りません。</translation>
     </message>
     <message>
+        <source>As at first</source>
+        <translation>最初に戻す</translation>
+    </message>
+    <message>
         <source>As made</source>
         <translation>できたまま</translation>
     </message>
@@ -1973,6 +2001,10 @@
     <message>
         <source>Bed</source>
         <translation>加工台</translation>
+    </message>
+    <message>
+        <source>Before it is written</source>
+        <translation>書き出す前に</translation>
     </message>
     <message>
         <source>Bending stiffness</source>
@@ -2103,6 +2135,10 @@
         <translation>立体を選んでください</translation>
     </message>
     <message>
+        <source>Choose a colour</source>
+        <translation>色を選ぶ</translation>
+    </message>
+    <message>
         <source>Choose a drawing</source>
         <translation>図を選ぶ</translation>
     </message>
@@ -2169,6 +2205,10 @@
     <message>
         <source>Choose the patterns to lay out.</source>
         <translation>並べる型紙を選んでください。</translation>
+    </message>
+    <message>
+        <source>Choose the photograph that is behind the balloon.</source>
+        <translation>風船の後ろに置く写真を選んでください。</translation>
     </message>
     <message>
         <source>Circle</source>
@@ -2503,6 +2543,10 @@
         <translation>3 つ以上の三角形が集まるメッシュの辺：{0}、その 1 つの位置はメッシュの ({1})。元のプログラムで直し、ソリッドの表面になるようにしてください。</translation>
     </message>
     <message>
+        <source>Edges of the panels</source>
+        <translation>パネルの縁</translation>
+    </message>
+    <message>
         <source>Edit artwork</source>
         <translation>絵柄を編集</translation>
     </message>
@@ -2755,6 +2799,10 @@
         <translation>位置を自動で決める</translation>
     </message>
     <message>
+        <source>Findings</source>
+        <translation>気づいた点</translation>
+    </message>
+    <message>
         <source>Fit the film, too</source>
         <translation>フィルムも合わせる</translation>
     </message>
@@ -2903,6 +2951,10 @@
         <translation>表の --artwork も指定してください。</translation>
     </message>
     <message>
+        <source>Give --png or --report html with --ground: it is the ground of these.</source>
+        <translation>--ground には --png か --report html を付けてください。それらの背景です。</translation>
+    </message>
+    <message>
         <source>Give a number of panels, into which the body is divided.</source>
         <translation>立体を分けるパネルの数を指定してください。</translation>
     </message>
@@ -2991,6 +3043,10 @@
         <translation>緑</translation>
     </message>
     <message>
+        <source>Ground</source>
+        <translation>背景</translation>
+    </message>
+    <message>
         <source>HPGL is written as polylines: give "arcs": false.</source>
         <translation>HPGL はポリラインで書かれます。"arcs": false にしてください。</translation>
     </message>
@@ -3045,6 +3101,10 @@
     <message>
         <source>Hole {0} of panel '{1}' runs counter-clockwise. Turn the order of its points round.</source>
         <translation>パネル「{1}」の穴 {0} が反時計回りです。点の順を逆にしてください。</translation>
+    </message>
+    <message>
+        <source>Holes from</source>
+        <translation>穴の下限</translation>
     </message>
     <message>
         <source>Holes of the mesh that were closed: {0}.</source>
@@ -3511,6 +3571,10 @@
         <translation>形のそばにある、何も囲まない線は無視しました。</translation>
     </message>
     <message>
+        <source>Lines up to</source>
+        <translation>線の上限</translation>
+    </message>
+    <message>
         <source>LinuxCNC machine (G-code)</source>
         <translation>LinuxCNC の機械（G コード）</translation>
     </message>
@@ -3613,6 +3677,10 @@
     <message>
         <source>May be cut</source>
         <translation>切ってよい</translation>
+    </message>
+    <message>
+        <source>Mean distance from the body</source>
+        <translation>立体からの平均距離</translation>
     </message>
     <message>
         <source>Measure (M)</source>
@@ -3947,10 +4015,6 @@
         <translation>注記</translation>
     </message>
     <message>
-        <source>Nothing behind the balloon; else the picture is on white</source>
-        <translation>風船の後ろを透明にします。そうでなければ背景は白です</translation>
-    </message>
-    <message>
         <source>Nothing can be computed without it; documents open and keep their shapes.</source>
         <translation>これがないと何も計算できません。文書は開け、形は残ります。</translation>
     </message>
@@ -3993,6 +4057,10 @@
     <message>
         <source>NumPy took 20 to 30 times longer than the native solver, which fetch-solver fetches.</source>
         <translation>NumPy での計算には、ネイティブソルバーの 20～30 倍の時間がかかりました。ネイティブソルバーは fetch-solver で取得できます。</translation>
+    </message>
+    <message>
+        <source>Number of panels</source>
+        <translation>パネルの数</translation>
     </message>
     <message>
         <source>Number of values, both ends among them</source>
@@ -4209,6 +4277,10 @@
     <message>
         <source>Page {0} of {1}: column {2}, row {3}</source>
         <translation>ページ {0}/{1}：{2} 列、{3} 行</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>ページ</translation>
     </message>
     <message>
         <source>Paint a balloon</source>
@@ -4505,6 +4577,10 @@
     <message>
         <source>Place on the seam</source>
         <translation>溶着線上の位置</translation>
+    </message>
+    <message>
+        <source>Places of a seam</source>
+        <translation>縫い目の位置</translation>
     </message>
     <message>
         <source>Places on the body in mm: two for a cut, one for the chosen seam to be moved to</source>
@@ -4813,6 +4889,10 @@
     <message>
         <source>Row {0}: {1}</source>
         <translation>{0} 行：{1}</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>行</translation>
     </message>
     <message>
         <source>Rows from below: {0}</source>
@@ -5271,6 +5351,10 @@
         <translation>大きさ不明</translation>
     </message>
     <message>
+        <source>Smoothness</source>
+        <translation>なめらかさ</translation>
+    </message>
+    <message>
         <source>So far it is a line. Close it, or paint an area, and it becomes a balloon.</source>
         <translation>まだ線です。閉じるか面を塗ると風船になります。</translation>
     </message>
@@ -5525,6 +5609,10 @@
     <message>
         <source>That of the outline</source>
         <translation>輪郭のもの</translation>
+    </message>
+    <message>
+        <source>That of the page</source>
+        <translation>ページと同じ</translation>
     </message>
     <message>
         <source>That wide</source>
@@ -6443,6 +6531,10 @@
         <translation>画像が小さすぎて形が分かりません。{0} ピクセル以上にしてください。</translation>
     </message>
     <message>
+        <source>The picture is traced as it is without a choice of yours</source>
+        <translation>指定がないときと同じように画像をなぞります</translation>
+    </message>
+    <message>
         <source>The picture of a body of gores goes all round: leave out --artwork-back.</source>
         <translation>ゴアの立体の絵は全周に回ります。--artwork-back を外してください。</translation>
     </message>
@@ -6935,6 +7027,10 @@
         <translation>{1} で始まる {0} の線が閉じていません。塗り、オフセット、切断には閉じた線が必要です。閉じてください。</translation>
     </message>
     <message>
+        <source>The {0} must be between 0 and {1}.</source>
+        <translation>{0} は 0 から {1} の間でなければなりません。</translation>
+    </message>
+    <message>
         <source>The {0} of a {1} must be from {2} to {3}.</source>
         <translation>工具（{1}）の値（{0}）は {2}～{3} にしてください。</translation>
     </message>
@@ -7235,6 +7331,10 @@
         <translation>この先端は {length} にわたって平らなままです。とがりすぎなので、半径 {wanted} で丸めてください。</translation>
     </message>
     <message>
+        <source>Threshold</source>
+        <translation>しきい値</translation>
+    </message>
+    <message>
         <source>Tie a ribbon round the neck, and to it a weight heavier than the {lift} that {gas} lifts. No metallic ribbon on foil, never let it fly.</source>
         <translation>首にリボンを結び、{gas} の浮力 {lift} より重い重しを付けます。アルミのフィルムに金属のリボンは使わず、決して空へ放さないでください。</translation>
     </message>
@@ -7303,8 +7403,8 @@
         <translation>トレーシングペーパー、92 g/m²</translation>
     </message>
     <message>
-        <source>Transparent ground</source>
-        <translation>背景を透明に</translation>
+        <source>Transparent</source>
+        <translation>透明</translation>
     </message>
     <message>
         <source>Triangle {0} of panel {1} has no area. Mesh the panel anew.</source>
@@ -7569,6 +7669,10 @@
     <message>
         <source>What</source>
         <translation>種類</translation>
+    </message>
+    <message>
+        <source>What is behind the balloon</source>
+        <translation>風船の後ろに見えるもの</translation>
     </message>
     <message>
         <source>What is cut is a line in the spot colour CutContour, which prints over the picture and leaves no gap in it. With artwork both are in artwork-print-and-cut-pdf.pdf. The shop's program adds marks of its own.</source>
@@ -7989,6 +8093,10 @@
     <message>
         <source>at most {} {}</source>
         <translation>最大 {} {}</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>自動</translation>
     </message>
     <message>
         <source>back</source>
@@ -9565,6 +9673,10 @@
     <message>
         <source>{} panels: about {} off, {} of seams, {} h of welding</source>
         <translation>パネル {} 枚：ずれ約 {}、継ぎ目 {}、溶着 {} 時間</translation>
+    </message>
+    <message>
+        <source>{} px</source>
+        <translation>{} px</translation>
     </message>
     <message>
         <source>{} to {}</source>
