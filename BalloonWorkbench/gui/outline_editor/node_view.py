@@ -15,8 +15,8 @@ from BalloonWorkbench.core.geometry.nearest import nearest_on_loops, nearest_pla
 from BalloonWorkbench.core.geometry.polyline import bounds
 from BalloonWorkbench.core.outline_edits.nodes import CORNER, NodeDrawing
 from BalloonWorkbench.core.units import from_mm, to_mm
-from BalloonWorkbench.gui.outline_editor.zoom_view import ZoomView
 from BalloonWorkbench.gui.qt import QtCore, QtGui, position
+from BalloonWorkbench.gui.tabs.zoom_view import ZoomView
 from BalloonWorkbench.gui.window.zoom_keys import FIT, LARGER, PULL, SMALLER, STEP
 
 Place = tuple[float, float]
@@ -51,6 +51,7 @@ class NodeView(ZoomView):
 
     def __init__(self, parent=None):
         super().__init__(parent)
+        self.setViewportUpdateMode(self.FullViewportUpdate)
         self.setObjectName("OutlineNodes")
         self.nodes: NodeDrawing | None = None
         self.chosen: list[Place] = []

@@ -37,6 +37,7 @@ from BalloonWorkbench.gui.outline_editor.retracing import Retracing
 from BalloonWorkbench.gui.outline_editor.tracing_sliders import TracingSliders
 from BalloonWorkbench.gui.panels.widgets.drawing_preview import notes_of
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon, translate
+from BalloonWorkbench.gui.tabs.document_tab import column_in, tab_of, telling_line
 from BalloonWorkbench.gui.window import macro_recorder
 from BalloonWorkbench.gui.window.sentences import translated
 
@@ -56,18 +57,8 @@ def open_tab(obj, changed=None) -> OutlineTab:
     if not _watching:
         _watching.append(_OutlineWatch())
         App.addDocumentObserver(_watching[0])
-    area = Gui.getMainWindow().findChild(QtWidgets.QMdiArea)
-    tab = next((each for each in _tabs if each.obj == obj), None)
-    if tab is None:
-        tab = OutlineTab(obj)
-        _tabs.append(tab)
-        frame = area.addSubWindow(tab)
-        frame.setAttribute(QtCore.Qt.WA_DeleteOnClose)
-        frame.setWindowIcon(drawn_icon("edit_outline"))
-        frame.showMaximized()
+    tab = tab_of(obj, _tabs, OutlineTab, "edit_outline")
     tab.panel = changed
-    area.setActiveSubWindow(tab.parentWidget())
-    tab.view.setFocus()
     return tab
 
 
@@ -85,13 +76,8 @@ class OutlineTab(QtWidgets.QWidget):
         self._past: list[tuple] = []  # what was before each step that is part of an open panel's
         self._future: list[tuple] = []
         self.view = NodeView()
-        self.line = QtWidgets.QLabel()
-        self.line.setObjectName("OutlineLine")
-        self.line.setWordWrap(True)
-        self.line.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
-        column = QtWidgets.QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(0)
+        self.line = telling_line("OutlineLine")
+        column = column_in(self)
         column.addWidget(self._bar())
         self.sliders = TracingSliders()
         self.retracing = Retracing(self)

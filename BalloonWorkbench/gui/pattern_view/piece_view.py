@@ -14,7 +14,8 @@ from BalloonWorkbench.core.units import from_mm, to_mm
 from BalloonWorkbench.gui.pattern_view.drags import KeyDrag, PullDrag, SlideDrag, TurnDrag
 from BalloonWorkbench.gui.pattern_view.piece_scene import HANDLE, HANDLE_AWAY, PieceScene
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, position
-from BalloonWorkbench.gui.window.zoom_keys import FIT, LARGER, PULL, SMALLER, OwnKeys, wheel_zoom
+from BalloonWorkbench.gui.tabs.zoom_view import ZoomView
+from BalloonWorkbench.gui.window.zoom_keys import FIT, LARGER, PULL, SMALLER
 from BalloonWorkbench.gui.window.zoom_keys import STEP as ZOOM_STEP
 
 _AROUND = 0.05  # of the pieces' size, left free beside them: there is room for a handle
@@ -31,7 +32,7 @@ _WAYS = {
 }
 
 
-class PieceView(OwnKeys, QtWidgets.QGraphicsView):
+class PieceView(ZoomView):
     """Signals: `picked` carries the number of an edge, None beside all; `chosen` the number of a piece, None
     for none; `measured` two places (2,) m; `laid_out` the number of a piece and its new PiecePlace;
     `undone` whether the last step is taken back, or taken anew."""
@@ -55,18 +56,7 @@ class PieceView(OwnKeys, QtWidgets.QGraphicsView):
         self._held: QtCore.QPointF | None = None  # where a button went down
         self._drag: PullDrag | SlideDrag | TurnDrag | KeyDrag | None = None
         self._middle = self._space = False
-        self._fitted = True  # until it is zoomed or pulled
-        self._whole = 1.0  # the zoom at which everything is seen
         self.setScene(PieceScene(self))
-        self.setTransformationAnchor(QtWidgets.QGraphicsView.NoAnchor)
-        self.setResizeAnchor(QtWidgets.QGraphicsView.NoAnchor)
-        self.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
-        self.setVerticalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
-        self.setFrameShape(QtWidgets.QFrame.NoFrame)
-        self.setFocusPolicy(QtCore.Qt.StrongFocus)
-        self.setMouseTracking(True)
-        self.setBackgroundBrush(self.palette().base())
-        self.scale(1.0, -1.0)
 
     @property
     def pieces(self) -> PatternPieces | None:
@@ -83,6 +73,7 @@ class PieceView(OwnKeys, QtWidgets.QGraphicsView):
         self._drag = self._held = None
         self.laid, self.grains, self.movable = laid, grains, movable
         self.scene().show_pieces(laid)
+        self.whole = self.scene().film
         self.forget_measure()
         if others:
             self.piece = self.edge = None
@@ -113,62 +104,10 @@ class PieceView(OwnKeys, QtWidgets.QGraphicsView):
         self._places = []
         self.scene().measure([])
 
-    def place_of(self, place: np.ndarray):
-        """Where a place (2,) m of the pieces is in the view, in px."""
-        return self.mapFromScene(QtCore.QPointF(*to_mm(place).tolist()))
-
-    def place_at(self, at) -> np.ndarray:
-        """The place (2,) m of the pieces at a point of the view."""
-        back, _ = self.viewportTransform().inverted()
-        there = back.map(QtCore.QPointF(at))
-        return from_mm(np.array([there.x(), there.y()]))
-
     def handle_at(self):
         """Where the handle is in the view, in px; None without one."""
         foot = self.scene().handle_place()
         return None if foot is None else self.mapFromScene(foot) - QtCore.QPoint(0, round(HANDLE_AWAY))
-
-    # zoom
-
-    @property
-    def zoom(self) -> float:
-        """Pixels of a mm."""
-        return abs(float(self.transform().m11()))
-
-    def fit(self) -> None:
-        """Show all pieces."""
-        film = self.scene().film
-        if film.isEmpty():
-            return
-        room = _AROUND * max(film.width(), film.height())
-        self.fitInView(film.adjusted(-room, -room, room, room), QtCore.Qt.KeepAspectRatio)
-        self._fitted, self._whole = True, self.zoom
-
-    def zoom_by(self, factor: float, about=None) -> None:
-        """Larger or smaller; the place at a point of the view stays, without one the middle."""
-        about = self.viewport().rect().center() if about is None else about.toPoint()
-        fixed = self.mapToScene(about)
-        goal = min(max(self.zoom * factor, _FARTHEST * self._whole), _NEAREST * self._whole)
-        factor = goal / self.zoom
-        self.scale(factor, factor)
-        moved = self.mapToScene(about) - fixed
-        self.translate(moved.x(), moved.y())
-        self._fitted = False
-
-    def pull(self, by) -> None:
-        """Move the view by pixels."""
-        for bar, pixels in ((self.horizontalScrollBar(), by.x()), (self.verticalScrollBar(), by.y())):
-            bar.setValue(bar.value() - pixels)
-        self._fitted = False
-
-    def resizeEvent(self, event):
-        super().resizeEvent(event)
-        if self._fitted:
-            self.fit()
-
-    def wheelEvent(self, event):
-        self.zoom_by(wheel_zoom(event), position(event))
-        event.accept()
 
     # mouse
 

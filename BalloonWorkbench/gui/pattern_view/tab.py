@@ -23,6 +23,7 @@ from BalloonWorkbench.gui.pattern_view.picks import Pick, pick_at
 from BalloonWorkbench.gui.pattern_view.piece_view import PieceView
 from BalloonWorkbench.gui.pattern_view.seam_lights import SeamLights
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon, translate
+from BalloonWorkbench.gui.tabs.document_tab import column_in, tab_of, telling_line
 from BalloonWorkbench.gui.window.file_dialogs import ask_where_to_write
 from BalloonWorkbench.gui.window.selection import select_behind
 from BalloonWorkbench.gui.window.sentences import translated
@@ -40,18 +41,7 @@ def open_tab(obj) -> PatternTab:
         _watching.extend((_DocumentWatch(), _PickWatch()))
         App.addDocumentObserver(_watching[0])
         Gui.Selection.addObserver(_watching[1])
-    area = Gui.getMainWindow().findChild(QtWidgets.QMdiArea)
-    tab = next((each for each in _tabs if each.obj == obj), None)
-    if tab is None:
-        tab = PatternTab(obj)
-        _tabs.append(tab)
-        frame = area.addSubWindow(tab)
-        frame.setAttribute(QtCore.Qt.WA_DeleteOnClose)
-        frame.setWindowIcon(drawn_icon("pattern_view"))
-        frame.showMaximized()
-    area.setActiveSubWindow(tab.parentWidget())
-    tab.view.setFocus()
-    return tab
+    return tab_of(obj, _tabs, PatternTab, "pattern_view")
 
 
 class PatternTab(QtWidgets.QWidget):
@@ -72,13 +62,8 @@ class PatternTab(QtWidgets.QWidget):
         self.view.undone.connect(self._undo)
         self.looks = PieceLooks(self.view.scene())
         self.looks.said.connect(self.say)
-        self.line = QtWidgets.QLabel()
-        self.line.setObjectName("PatternLine")
-        self.line.setWordWrap(True)
-        self.line.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
-        column = QtWidgets.QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(0)
+        self.line = telling_line("PatternLine")
+        column = column_in(self)
         column.addWidget(self._bar())
         beside = QtWidgets.QHBoxLayout()
         beside.addWidget(self.view, 1)

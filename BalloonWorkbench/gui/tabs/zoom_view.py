@@ -9,7 +9,7 @@ from BalloonWorkbench.core.units import from_mm, to_mm
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, position
 from BalloonWorkbench.gui.window.zoom_keys import OwnKeys, wheel_zoom
 
-_AROUND = 0.04  # of what is shown, left free beside it
+_AROUND = 0.03  # of what is shown, left free beside it
 _FARTHEST, _NEAREST = 0.1, 400.0  # of the zoom that shows everything
 
 
@@ -28,7 +28,6 @@ class ZoomView(OwnKeys, QtWidgets.QGraphicsView):
         self.setVerticalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
         self.setFrameShape(QtWidgets.QFrame.NoFrame)
         self.setFocusPolicy(QtCore.Qt.StrongFocus)
-        self.setViewportUpdateMode(QtWidgets.QGraphicsView.FullViewportUpdate)
         self.setMouseTracking(True)
         self.setBackgroundBrush(self.palette().base())
         self.scale(1.0, -1.0)
