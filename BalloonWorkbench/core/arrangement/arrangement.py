@@ -10,7 +10,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from BalloonWorkbench.core.geometry.polyline import bounds
-from BalloonWorkbench.core.geometry.vectors import rotation
+from BalloonWorkbench.core.geometry.vectors import rotation, wrapped
 from BalloonWorkbench.core.pattern.layout import SPACING, in_rows
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 from BalloonWorkbench.core.pattern.pieces import FlatPiece, PatternPieces
@@ -200,5 +200,5 @@ def _lay_beside(pieces: PatternPieces, places: list[PiecePlace], new: Sequence[i
 
 def _within_a_turn(angle: float) -> float:
     """From -pi up to pi; as good as none is 0."""
-    wrapped = float((angle + np.pi) % (2.0 * np.pi) - np.pi)
-    return 0.0 if abs(wrapped) < 1e-12 else wrapped
+    turned = float(wrapped(np.asarray(angle)))
+    return 0.0 if abs(turned) < 1e-12 else turned

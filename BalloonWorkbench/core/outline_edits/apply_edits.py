@@ -14,7 +14,7 @@ import numpy as np
 
 from BalloonWorkbench.core.errors import InputError, OutlineError
 from BalloonWorkbench.core.geometry.nearest import nearest_on_line, nearest_on_loops, way_round
-from BalloonWorkbench.core.geometry.polyline import bounds, ring
+from BalloonWorkbench.core.geometry.polyline import bounds, extent, ring
 from BalloonWorkbench.core.memoize import memoized
 from BalloonWorkbench.core.outline.drawing import Drawing, checked
 from BalloonWorkbench.core.outline.symmetry import Mirror, exact_mirror
@@ -332,6 +332,6 @@ def _image(edit: OutlineEdit, axis: Mirror) -> OutlineEdit:
     """An edit on the other side of an axis, where its stretch runs the other way, after the edit itself."""
     places = axis.reflect(edit.places)[::-1].copy()
     for end in (0, 2) if edit.kind == REMOVE else ():  # the node itself may have been beside its image
-        if np.linalg.norm(places[end] - edit.node) < 1e-3 * np.ptp(edit.places, axis=0).max():
+        if np.linalg.norm(places[end] - edit.node) < 1e-3 * extent(edit.places):
             places[end] = edit.places[end]
     return replace(edit, places=places)

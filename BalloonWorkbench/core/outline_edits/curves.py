@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from BalloonWorkbench.core.geometry.polyline import line_lengths, point_on
+from BalloonWorkbench.core.geometry.polyline import line_lengths, point_on, ring
 from BalloonWorkbench.core.geometry.vectors import perpendicular, unit
 from BalloonWorkbench.core.outline_edits.nodes import PLAIN, SMOOTH, Kinds, NodeLoop, bezier
 from BalloonWorkbench.core.types import Floats
@@ -109,7 +109,7 @@ def _curve(begin: Floats, end: Floats, leaves: Floats | None, arrives: Floats | 
 
 def _closed(loop: NodeLoop) -> tuple[Floats, Kinds]:
     """Points and kinds with the first ones repeated at the end."""
-    return np.concatenate([loop.points, loop.points[:1]]), np.append(loop.kinds, loop.kinds[:1])
+    return ring(loop.points), np.append(loop.kinds, loop.kinds[:1])
 
 
 def _joined(loop: NodeLoop, after: int, *stretches: tuple[Floats, Kinds]) -> NodeLoop:

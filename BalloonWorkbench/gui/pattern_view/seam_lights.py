@@ -11,6 +11,7 @@ from BalloonWorkbench.app.engine import film_result
 from BalloonWorkbench.app.engine.bag_result import has_many_panels
 from BalloonWorkbench.app.pattern import bag_patterns
 from BalloonWorkbench.core.arrangement.seam_vertices import along_edge
+from BalloonWorkbench.core.geometry.polyline import extent
 from BalloonWorkbench.core.pattern.pieces import PatternPieces
 from BalloonWorkbench.core.units import to_mm
 from BalloonWorkbench.gui.bags.panel_display import line_node
@@ -72,7 +73,7 @@ class SeamLights:
             return None, None
         owners = [number for number, line in seams.lines.items() for _ in line]
         away = np.linalg.norm(np.concatenate([*seams.lines.values()]) - place, axis=1)
-        size = float(np.ptp(seams.middles, axis=0).max())
+        size = extent(seams.middles)
         if away.min() <= _NEAR * size:
             seam = owners[int(away.argmin())]
             return next(number for number, edge in enumerate(pieces.edges) if edge.seam == seam), None
