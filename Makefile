@@ -5,7 +5,7 @@ SHELL := /bin/bash
 .DEFAULT_GOAL := help
 PYTHON := .venv/bin/python
 
-.PHONY: help setup native readers demo test test-core test-app test-gui matrix users lint format validation bench fuzz mutations pythons coverage tidy docs examples pictures release release-check release-branch install-check pins translations freecad clean
+.PHONY: help setup native readers demo test test-core test-app test-gui matrix users lint format validation bench fuzz mutations web pythons coverage tidy docs examples pictures release release-check release-branch install-check pins translations freecad clean
 
 help: ## List these targets
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' $(MAKEFILE_LIST) | expand -t 12
@@ -95,6 +95,10 @@ fuzz: native readers ## Inflate 2 000 outlines and 300 bags, read 10 000 broken 
 
 mutations: native ## Break the code in known ways, one after the other: a quick test must notice each
 	@$(PYTHON) tools/mutations.py
+
+# Pictures of the pages: build/web
+web: native readers ## Open exported pages in a real browser, turn their balloons
+	@tools/web.sh
 
 pythons: native readers ## Try the engine with Python 3.10 and 3.12, where they are
 	@tools/pythons.sh

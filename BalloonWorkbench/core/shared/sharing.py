@@ -20,7 +20,7 @@ from BalloonWorkbench.core.machines.machine_file import machine_file
 from BalloonWorkbench.core.pictures.bag_picture import upright
 from BalloonWorkbench.core.products import Artwork, box_of, pictures_of, pictures_on
 from BalloonWorkbench.core.scenes.glb import glb_bytes
-from BalloonWorkbench.core.scenes.ground import WHITE, Ground, laid_on
+from BalloonWorkbench.core.scenes.ground import WHITE, Ground, image_file, laid_on
 from BalloonWorkbench.core.scenes.mesh_picture import meshes_picture
 from BalloonWorkbench.core.scenes.surface_mesh import (
     Painted,
@@ -144,7 +144,7 @@ def page_file(
 ) -> bytes:
     """The web page about a job; language: that of say; ground: None is the page's own.
 
-    Raises what `shown` raises.
+    Raises what `shown` and image_file raise.
     """
     balloons, settings = shown(balloon, title, artwork), balloon.settings
     picture = meshes_picture([mesh for meshes in balloons.values() for mesh in meshes], *_PICTURE)
@@ -163,7 +163,7 @@ def page_file(
         [(colours[role].rgb, say(names[role])) for role in sheet.roles if role in names and role in colours],
         [(say(each["severity"]), say(each["text"])) for each in advice if each["text"] not in warnings],
         list(map(say, warnings)),
-        None if ground is None else png_bytes(ground, _DPI),
+        None if ground is None else image_file(ground),
     )
     return balloon_page(subject, language, say)
 

@@ -30,7 +30,7 @@ class BalloonPage:
     tables    by balloon
     pattern   an SVG file of all that is cut; lines: their colours (#rrggbb) and what they are
     advice    how grave it is, and a sentence, each; notes: sentences
-    ground    a PNG that covers what is behind the balloon; None is the page's own
+    ground    media type and file of an image that covers what is behind the balloon; None is the page's own
     """
 
     title: str
@@ -42,7 +42,7 @@ class BalloonPage:
     lines: Sequence[tuple[str, str]]
     advice: Sequence[tuple[str, str]]
     notes: Sequence[str]
-    ground: bytes | None = None
+    ground: tuple[str, bytes] | None = None
 
 
 def balloon_page(subject: BalloonPage, language: str = "en", say: Say = in_english) -> bytes:
@@ -87,7 +87,7 @@ def _view(subject: BalloonPage, say: Say) -> Markup:
     image = element("img", id="balloon-image", src=data_uri("image/png", subject.picture), alt=alt)
     shown = [image]
     if subject.ground is not None:
-        address = data_uri("image/png", subject.ground)
+        address = data_uri(*subject.ground)
         shown.insert(0, element("img", id="balloon-ground", src=address, alt=""))
     keys = say("Drag to turn, turn the wheel to zoom; keys: arrows, plus, minus, Home.")
     download = element(

@@ -83,8 +83,8 @@ class OutlineTab(QtWidgets.QWidget):
         self.retracing = Retracing(self)
         row = QtWidgets.QHBoxLayout()
         row.setSpacing(0)
+        row.addWidget(self.sliders)  # on the left: FreeCAD 1.1 lays its tasks over the right
         row.addWidget(self.view, 1)
-        row.addWidget(self.sliders)
         column.addLayout(row, 1)
         column.addWidget(self.line)
         self._connect()

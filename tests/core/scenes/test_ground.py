@@ -3,14 +3,17 @@
 
 from __future__ import annotations
 
+import io
+import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
+from PIL import Image
 
-from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.errors import InputError, MissingPackageError
 from BalloonWorkbench.core.options.making import TRANSPARENT
-from BalloonWorkbench.core.scenes.ground import WHITE, laid_on, read_ground
+from BalloonWorkbench.core.scenes.ground import WHITE, image_file, laid_on, read_ground
 
 
 def none(path: Path) -> np.ndarray:
@@ -71,3 +74,25 @@ def test_the_balloon_hides_its_ground() -> None:
     assert laid_on(picture, green)[0].tolist() == [[255, 0, 0], [128, 50, 0], [0, 100, 0]]
     assert laid_on(picture, WHITE)[0].tolist() == [[255, 0, 0], [255, 128, 128], [255, 255, 255]]
     assert laid_on(picture, np.zeros((1, 1, 4), np.uint8))[0, 2].tolist() == [255, 255, 255]
+
+
+def test_a_photograph_on_a_page_is_small() -> None:
+    """The most noise that there is, upright; what is clear in it is white."""
+    noise = np.random.default_rng(3).integers(0, 256, (3000, 2000, 4), dtype=np.uint8)
+    kind, content = image_file(noise)
+    assert (kind, len(content) <= 450_000) == ("image/jpeg", True)
+    assert Image.open(io.BytesIO(content)).size == (933, 1400)
+    clear = Image.open(io.BytesIO(image_file(np.zeros((2, 2, 4), np.uint8))[1]))
+    assert np.asarray(clear).min() == 255
+
+
+def test_a_colour_on_a_page_is_exact() -> None:
+    kind, content = image_file(np.array([[[16, 96, 192, 255]]], np.uint8))
+    assert kind == "image/png"
+    assert Image.open(io.BytesIO(content)).convert("RGB").getpixel((0, 0)) == (16, 96, 192)
+
+
+def test_without_pillow_a_sentence_says_what_to_do(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "PIL", None)
+    with pytest.raises(MissingPackageError, match="needs Pillow"):
+        image_file(np.zeros((2, 2, 4), np.uint8))

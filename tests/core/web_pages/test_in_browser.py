@@ -119,7 +119,7 @@ def test_the_ground_covers_what_is_behind(
     if photograph:
         pixels[:, :100], pixels[:, -100:] = (0, 0, 0, 255), (0, 0, 0, 255)  # these lie outside
     path = tmp_path / "report.html"
-    path.write_bytes(balloon_page(replace(subject, ground=png_bytes(pixels, 96.0))))
+    path.write_bytes(balloon_page(replace(subject, ground=("image/png", png_bytes(pixels, 96.0)))))
     browser.open(path)
     box = canvas(browser)
     at = middle(box)

@@ -97,7 +97,8 @@ def test_a_colour_or_a_photograph_is_behind_the_balloon(made, macro, tmp_path, s
     hands.type_into(hands.find("SharedFile"), str(tmp_path / "page"), confirm=False)
     hands.press("Ok")
     hands.wait_until(lambda: "Choose the photograph" in hands.find("ShareMessage").text())
-    hands.type_into(hands.find("GroundPicture"), str(photograph), confirm=False)
+    hands.type_into(hands.find("GroundPicture"), str(photograph))
+    assert hands.find("ShareMessage").text() == ""
     hands.screenshot("export_photograph")
     hands.press("Ok")
     hands.wait_until(hands.panel_is_closed)

@@ -6,7 +6,7 @@ from __future__ import annotations
 from BalloonWorkbench.core.options.making import TRANSPARENT
 from BalloonWorkbench.gui.panels.widgets.file_row import FileRow
 from BalloonWorkbench.gui.panels.widgets.narrow import NarrowCombo
-from BalloonWorkbench.gui.qt import QtGui, QtWidgets, translate
+from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, translate
 from BalloonWorkbench.gui.window.file_dialogs import ask_for_picture
 
 _USUAL, _COLOUR, _PHOTOGRAPH = "", "colour", "photograph"
@@ -15,7 +15,12 @@ _FIRST = "#9cc4e4"
 
 
 class GroundRow(QtWidgets.QWidget):
-    """A choice, and below it the button of its colour or the file of its picture."""
+    """A choice, and below it the button of its colour or the file of its picture.
+
+    `changed` comes when another ground was chosen.
+    """
+
+    changed = QtCore.Signal()
 
     def __init__(self):
         super().__init__()
@@ -38,7 +43,7 @@ class GroundRow(QtWidgets.QWidget):
         column.setContentsMargins(0, 0, 0, 0)
         for widget in (self.kind, self.colour, self.picture):
             column.addWidget(widget)
-        self.kind.currentIndexChanged.connect(lambda _index: self._show())
+        self.kind.currentIndexChanged.connect(lambda _index: self._changed())
         self.colour.clicked.connect(lambda _checked=False: self._choose_colour())
         self.picture.chosen.connect(self._take)
         self.offer(translate("White"), transparent=True)
@@ -72,12 +77,17 @@ class GroundRow(QtWidgets.QWidget):
     def _take(self, path: str) -> None:
         self._path = path
         self.picture.show_name(path)
+        self.changed.emit()
 
     def _choose_colour(self) -> None:
         chosen = QtWidgets.QColorDialog.getColor(self._colour, self, translate("Choose a colour"))
         if chosen.isValid():
             self._colour = chosen
-            self._show()
+            self._changed()
+
+    def _changed(self) -> None:
+        self._show()
+        self.changed.emit()
 
     def _show(self) -> None:
         kind = self.kind.currentData()

@@ -47,6 +47,7 @@ class SharePanel(TaskPanel):
         form.addRow(self.ground)
         form.addRow(self.message)
         self.kind.currentIndexChanged.connect(self.show_kind)
+        self.ground.changed.connect(lambda: self.message.setText(""))
         self.show_kind()
         self.watch = Watch(parts, self.close)
 
