@@ -114,6 +114,8 @@ class OutlineTab(QtWidgets.QWidget):
         done = bar.addAction(drawn_icon("edit_outline"), translate("Done (Esc)"))
         done.setObjectName("DoneNodes")
         done.triggered.connect(lambda _checked=False: self.close_tab())
+        for action in bar.actions():
+            bar.widgetForAction(action).setFocusPolicy(QtCore.Qt.TabFocus)
         return bar
 
     def _connect(self) -> None:

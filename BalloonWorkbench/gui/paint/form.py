@@ -35,12 +35,14 @@ class PaintForm(QtWidgets.QWidget):
         self.width_field.setProperty("singleStep", 10.0)
         self.width_field.setProperty("rawValue", width)
         self.width_field.setKeyboardTracking(False)
+        self.width_field.setAccessibleName(translate("Width"))
         self.width_field.setToolTip(translate("Width of the balloon when it is inflated"))
         QtCore.QObject.connect(self.width_field, QtCore.SIGNAL("valueChanged(double)"), self.widened.emit)
         self.drawn_as = QtWidgets.QComboBox()
         self.drawn_as.setObjectName("PaintDrawnAs")
         for title, choice in DRAWN_AS.items():
             self.drawn_as.addItem(sentences.translated(title), choice)
+        self.drawn_as.setAccessibleName(translate("Drawn as"))
         self.drawn_as.setToolTip(
             translate("The holes of a filled shape stay, the lines of a pen drawing are filled inside")
         )

@@ -95,6 +95,8 @@ class PatternTab(QtWidgets.QWidget):
         printing.setObjectName("PrintPieces")
         printing.setToolTip(translate("Write the pieces as they lie to a PDF, in real size on pages"))
         printing.triggered.connect(lambda _checked=False: self._print())
+        for action in bar.actions():
+            bar.widgetForAction(action).setFocusPolicy(QtCore.Qt.TabFocus)
         bar.addSeparator()
         bar.addWidget(self.looks.list).setVisible(is_pattern(self.obj))
         return bar

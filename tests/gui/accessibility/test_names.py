@@ -42,16 +42,11 @@ def test_page_of_the_preferences():
     assert not told, "\n".join(told)
 
 
-_IN_WORK = pytest.mark.xfail(reason="its window is being rebuilt", strict=False)
-
-
-@_IN_WORK
 def test_pattern_view(made):
     told = [line for tab in every_panel.pattern_view(made) for line in accessible.faults(tab)]
     assert not told, "\n".join(told)
 
 
-@_IN_WORK
 def test_painting(doc):
     told = []
     for window in every_panel.painting():
