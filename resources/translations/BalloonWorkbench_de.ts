@@ -1571,6 +1571,10 @@
         <translation>Ein Foto</translation>
     </message>
     <message>
+        <source>A photograph on a page needs Pillow: install it with pip install pillow.</source>
+        <translation>Ein Foto auf einer Seite braucht Pillow: installieren Sie es mit pip install pillow.</translation>
+    </message>
+    <message>
         <source>A picture cannot be drawn as "{0}": choose {1}.</source>
         <translation>Ein Bild kann nicht als „{0}“ gezeichnet sein: {1} wählen.</translation>
     </message>

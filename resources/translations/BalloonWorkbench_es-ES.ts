@@ -1571,6 +1571,10 @@
         <translation>Una foto</translation>
     </message>
     <message>
+        <source>A photograph on a page needs Pillow: install it with pip install pillow.</source>
+        <translation>Una foto en una página necesita Pillow: instálelo con pip install pillow.</translation>
+    </message>
+    <message>
         <source>A picture cannot be drawn as "{0}": choose {1}.</source>
         <translation>Una imagen no puede estar dibujada como «{0}»: elija {1}.</translation>
     </message>

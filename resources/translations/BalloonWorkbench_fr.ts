@@ -1571,6 +1571,10 @@
         <translation>Une photo</translation>
     </message>
     <message>
+        <source>A photograph on a page needs Pillow: install it with pip install pillow.</source>
+        <translation>Une photo sur une page demande Pillow : installez-le avec pip install pillow.</translation>
+    </message>
+    <message>
         <source>A picture cannot be drawn as "{0}": choose {1}.</source>
         <translation>Une image ne peut pas être dessinée comme « {0} » : choisissez {1}.</translation>
     </message>

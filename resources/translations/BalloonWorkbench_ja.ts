@@ -1571,6 +1571,10 @@
         <translation>写真</translation>
     </message>
     <message>
+        <source>A photograph on a page needs Pillow: install it with pip install pillow.</source>
+        <translation>ページの写真には Pillow が要ります。pip install pillow で入れてください。</translation>
+    </message>
+    <message>
         <source>A picture cannot be drawn as "{0}": choose {1}.</source>
         <translation>画像の描き方「{0}」は使えません。{1} から選んでください。</translation>
     </message>
