@@ -19,7 +19,7 @@ _KEYS = {
     "FromProfile": "B, O",
     "FromBody": "B, Y",
     "FromPanels": "B, N",
-    "EditOutline": "B, U",
+    "EditOutline": "B, J",
     "Advice": "B, A",
     "PatternView": "B, F",
     "ColourMap": "B, M",
