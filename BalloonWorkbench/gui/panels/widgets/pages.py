@@ -82,19 +82,8 @@ class Pages(QtWidgets.QWidget):
         self._buttons[index].setChecked(True)
         for number, box in self._boxes.items():
             box.setVisible(number == index)
-        self._put_in_order(self._boxes[index])
         fit_heights()
         self.currentChanged.emit(index)
-
-    def _put_in_order(self, box) -> None:
-        """Tab comes to a page after the titles, not after all that was there before it was made."""
-        before = self._buttons[-1]
-        for widget in box.findChildren(QtWidgets.QWidget):
-            if widget.window() != box.window():  # the list that a field drops down
-                continue
-            if widget.focusPolicy() & QtCore.Qt.TabFocus and widget.focusProxy() is None:
-                QtWidgets.QWidget.setTabOrder(before, widget)
-                before = widget
 
     def resizeEvent(self, event):
         super().resizeEvent(event)
