@@ -15,7 +15,7 @@ from BalloonWorkbench.core.geometry.nearest import nearest_on_loops, nearest_pla
 from BalloonWorkbench.core.geometry.polyline import bounds
 from BalloonWorkbench.core.outline_edits.nodes import CORNER, NodeDrawing
 from BalloonWorkbench.core.units import from_mm, to_mm
-from BalloonWorkbench.gui.qt import QtCore, QtGui, position
+from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, position
 from BalloonWorkbench.gui.tabs.zoom_view import ZoomView
 from BalloonWorkbench.gui.window.zoom_keys import FIT, LARGER, PULL, SMALLER, STEP
 
@@ -51,7 +51,7 @@ class NodeView(ZoomView):
 
     def __init__(self, parent=None):
         super().__init__(parent)
-        self.setViewportUpdateMode(self.FullViewportUpdate)
+        self.setViewportUpdateMode(QtWidgets.QGraphicsView.FullViewportUpdate)
         self.setObjectName("OutlineNodes")
         self.nodes: NodeDrawing | None = None
         self.chosen: list[Place] = []
