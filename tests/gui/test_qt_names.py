@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Names of Qt: our widgets keep what it calls, and its values are named by their class."""
+"""Names of Qt that our widgets keep or must not use."""
 
 import ast
 import enum
@@ -61,3 +61,17 @@ def test_no_attribute_hides_a_method_of_qt():
                     hidden += [f"{path.name}: {owner.name}.{name}" for name in given(owner) if name in known]
     assert classes > 20
     assert not hidden
+
+
+def test_no_widget_asks_for_its_parent():
+    """Python's shell of a parent that FreeCAD has made takes those of its children with it, when it goes.
+
+    From then on their methods end with "Internal C++ object already deleted" (PySide2 of FreeCAD 1.0).
+    """
+    asked = [
+        path.name
+        for path in sorted(PACKAGE.rglob("*.py"))
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if isinstance(node, ast.Attribute) and node.attr in ("parentWidget", "nativeParentWidget")
+    ]
+    assert not asked

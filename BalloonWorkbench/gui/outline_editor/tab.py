@@ -12,7 +12,6 @@ import FreeCADGui as Gui
 import numpy as np
 
 from BalloonWorkbench.app.border import status
-from BalloonWorkbench.app.border.guard import Guarded
 from BalloonWorkbench.app.document.parts import parts_of
 from BalloonWorkbench.app.drawings.drawing_file import stretched
 from BalloonWorkbench.app.outline import edited, read_plain, reading_of, trace
@@ -37,16 +36,13 @@ from BalloonWorkbench.gui.outline_editor.retracing import Retracing
 from BalloonWorkbench.gui.outline_editor.tracing_sliders import TracingSliders
 from BalloonWorkbench.gui.panels.widgets.drawing_preview import notes_of
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon, translate
-from BalloonWorkbench.gui.tabs.document_tab import column_in, tab_of, telling_line
+from BalloonWorkbench.gui.tabs.document_tab import DocumentTab, TabWatch, column_in, tab_of, telling_line
 from BalloonWorkbench.gui.window import macro_recorder
 from BalloonWorkbench.gui.window.sentences import translated
 
-#: What has changed when the outline has.
-_TELLING = ("Shape", "Status", "Label", "OutlineEdits")
-_PATIENCE = 100  # ms between two looks at a document that is being recomputed
 _NOWHERE = np.zeros(2)
 _tabs: list[OutlineTab] = []
-_watching: list[_OutlineWatch] = []
+_watching: list[TabWatch] = []
 
 
 def open_tab(obj, changed=None) -> OutlineTab:
@@ -55,20 +51,21 @@ def open_tab(obj, changed=None) -> OutlineTab:
     changed  called after each edit while a task panel is open, whose undo step the edits are part of
     """
     if not _watching:
-        _watching.append(_OutlineWatch())
+        _watching.append(TabWatch(_tabs))
         App.addDocumentObserver(_watching[0])
     tab = tab_of(obj, _tabs, OutlineTab, "edit_outline")
     tab.panel = changed
     return tab
 
 
-class OutlineTab(QtWidgets.QWidget):
+class OutlineTab(DocumentTab):
     """The nodes over the picture, a bar above them, and a line that tells what can be done or went wrong."""
 
+    SHOWN = (*DocumentTab.SHOWN, "OutlineEdits")
+
     def __init__(self, obj):
-        super().__init__()
+        super().__init__(obj, _tabs)
         self.setObjectName("OutlineTab")
-        self.obj = obj  # None: it is gone
         self.panel = None  # what an open task panel wants to be called after an edit
         self.state: EditedDrawing | None = None
         self._drawing: Drawing | None = None  # before its edits
@@ -83,14 +80,11 @@ class OutlineTab(QtWidgets.QWidget):
         self.retracing = Retracing(self)
         row = QtWidgets.QHBoxLayout()
         row.setSpacing(0)
-        row.addWidget(self.sliders)  # on the left: FreeCAD 1.1 lays its tasks over the right
+        row.addWidget(self.sliders)
         row.addWidget(self.view, 1)
         column.addLayout(row, 1)
         column.addWidget(self.line)
         self._connect()
-        self._soon = QtCore.QTimer(self)
-        self._soon.setSingleShot(True)
-        self._soon.timeout.connect(self.follow)
         self.follow()
 
     def _bar(self):
@@ -133,17 +127,8 @@ class OutlineTab(QtWidgets.QWidget):
 
     # the document
 
-    def changed(self) -> None:
-        """The object is another one now: it is looked at when FreeCAD is done with it."""
-        self._soon.start(0)
-
-    def follow(self) -> None:
+    def show_object(self) -> None:
         """Show the outline as it is now; the old one stays where there is none, and it is told why."""
-        if self.obj is None:
-            return
-        if self.obj.Document.Recomputing:
-            self._soon.start(_PATIENCE)
-            return
         self.setWindowTitle(translate("{}: {}, nodes").format(self.obj.Document.Label, self.obj.Label))
         try:
             trace(self.obj)
@@ -175,26 +160,13 @@ class OutlineTab(QtWidgets.QWidget):
         """Say what went wrong; the outline stays."""
         self.line.setText(translated(str(error)))
 
-    def leave(self) -> None:
-        """The object is being deleted: the tab closes when FreeCAD is done with that."""
-        self.obj = None
-        self._soon.stop()
+    def let_go(self) -> None:
+        """Nothing is traced any longer."""
         self.retracing.stop()
-        QtCore.QTimer.singleShot(0, self.close_tab)
 
-    def close_tab(self) -> None:
-        """The work is done."""
-        if self in _tabs:
-            self.parentWidget().close()
-
-    def closeEvent(self, event):
-        obj, self.obj = self.obj, None
-        self.retracing.stop()
-        if self in _tabs:
-            _tabs.remove(self)
-            if obj is not None:
-                QtCore.QTimer.singleShot(0, partial(_finish, obj.Document.Name, obj.Name, self._edit))
-        super().closeEvent(event)
+    def closed(self, obj) -> None:
+        """The balloon follows when the tab is gone."""
+        QtCore.QTimer.singleShot(0, partial(_finish, obj.Document.Name, obj.Name, self._edit))
 
     # edits
 
@@ -331,23 +303,3 @@ def _finish(document: str, name: str, edit) -> None:
         doc.openTransaction(translate("Edit outline"))
         doc.recompute()
         doc.commitTransaction()
-
-
-class _OutlineWatch(Guarded):
-    """Told by FreeCAD what changes and what goes."""
-
-    def slotChangedObject(self, obj, name) -> None:
-        for tab in _of(obj) if name in _TELLING else ():
-            tab.changed()
-
-    def slotDeletedObject(self, obj) -> None:
-        for tab in _of(obj):
-            tab.leave()
-
-    def slotDeletedDocument(self, document) -> None:
-        for tab in [each for each in _tabs if each.obj is not None and each.obj.Document == document]:
-            tab.leave()
-
-
-def _of(obj) -> list[OutlineTab]:
-    return [tab for tab in _tabs if tab.obj == obj]

@@ -3,18 +3,16 @@
 
 from __future__ import annotations
 
-from functools import partial
 from itertools import pairwise
 from time import monotonic
 
 import FreeCADGui as Gui
 
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon
-from BalloonWorkbench.gui.view3d.fit_view import OVERLAYS
+from BalloonWorkbench.gui.window.overlays import EmptyTasks
 
 _SHARE = 0.5  # of the main window
 _NARROW = 150  # px, of a panel beside it
-_LOOKS = 300  # ms between looks at what FreeCAD has laid over its 3D view
 _SETTLES = 1.0  # s until Qt has moved the panels: what they measure before is not their width
 
 
@@ -61,10 +59,7 @@ class PaintDock(QtWidgets.QDockWidget):
         super().__init__(title, Gui.getMainWindow())
         self.setObjectName("BalloonPaint")
         self.setWindowIcon(drawn_icon("paint"))
-        self._laid_aside: list = []
-        self._watch = QtCore.QTimer(self)
-        self._watch.setInterval(_LOOKS)
-        self._watch.timeout.connect(self._mind_overlays)
+        self._tasks = EmptyTasks(self, self.isVisible)
         self._closed = QtCore.QTimer(self)
         self._closed.setSingleShot(True)
         self._closed.timeout.connect(self.give_back)
@@ -94,36 +89,9 @@ class PaintDock(QtWidgets.QDockWidget):
         narrow = _neighbours.narrow(main, self)
         self.show()
         self.raise_()
-        self._mind_overlays()
-        self._watch.start()
+        self._tasks.start()
         width = min(int(_SHARE * main.width()), self._free_room(main, narrow))
         main.resizeDocks([*narrow, self], [*narrow.values(), width], QtCore.Qt.Horizontal)
-
-    def _mind_overlays(self) -> None:
-        """FreeCAD 1.1 lays its task panel over the 3D view: an empty one is a strip over the balloon.
-
-        It comes with the first 3D view, a moment after this window.
-        """
-        if Gui.Control.activeDialog():
-            self._put_back()
-        else:
-            self._lay_aside(Gui.getMainWindow())
-
-    def _lay_aside(self, main) -> None:
-        """FreeCAD shows again at once what is hidden, so an empty task panel has no size for a while."""
-        for overlay in map(partial(main.findChild, QtWidgets.QWidget), OVERLAYS):
-            if overlay is None or not overlay.isVisible() or overlay.size().isEmpty():
-                continue
-            names = [dock.objectName() for dock in overlay.findChildren(QtWidgets.QDockWidget)]
-            if names == ["Tasks"]:
-                self._laid_aside.append((overlay, overlay.geometry(), overlay.maximumSize()))
-                overlay.setMaximumSize(0, 0)
-
-    def _put_back(self) -> None:
-        for overlay, place, most in self._laid_aside:
-            overlay.setMaximumSize(most)
-            overlay.setGeometry(place)
-        self._laid_aside.clear()
 
     def _free_room(self, main, narrow) -> int:
         """The width up to the panels that FreeCAD 1.1 lays over its 3D view: they would take the mouse."""
@@ -152,8 +120,7 @@ class PaintDock(QtWidgets.QDockWidget):
     def give_back(self) -> None:
         """The panels beside it are as wide as before, and the 3D view has the room."""
         self._closed.stop()
-        self._watch.stop()
-        self._put_back()
+        self._tasks.stop()
         main = Gui.getMainWindow()
         windows = main.findChildren(QtWidgets.QDockWidget, self.objectName())
         if not any(window.isVisible() for window in windows):  # none has taken its place

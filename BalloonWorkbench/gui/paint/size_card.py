@@ -22,6 +22,7 @@ class SizeCard(QtWidgets.QFrame):
 
     def __init__(self, canvas):
         super().__init__(canvas)
+        self._canvas = canvas
         self._unit = large()
         self.setObjectName("PaintSize")
         self.setStyleSheet(_LOOK)
@@ -66,6 +67,6 @@ class SizeCard(QtWidgets.QFrame):
     def place(self) -> None:
         """In the corner of the canvas that the hand leaves free."""
         self.adjustSize()
-        room = self.parentWidget()
-        self.move(room.width() - self.width() - _GAP, room.height() - self.height() - _GAP)
+        canvas = self._canvas
+        self.move(canvas.width() - self.width() - _GAP, canvas.height() - self.height() - _GAP)
         self.raise_()

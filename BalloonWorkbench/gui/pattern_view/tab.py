@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-from functools import partial
-
 import FreeCAD as App
 import FreeCADGui as Gui
 
@@ -23,14 +21,12 @@ from BalloonWorkbench.gui.pattern_view.picks import Pick, pick_at
 from BalloonWorkbench.gui.pattern_view.piece_view import PieceView
 from BalloonWorkbench.gui.pattern_view.seam_lights import SeamLights
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon, translate
-from BalloonWorkbench.gui.tabs.document_tab import column_in, tab_of, telling_line
+from BalloonWorkbench.gui.tabs.document_tab import DocumentTab, TabWatch, column_in, tab_of, telling_line
 from BalloonWorkbench.gui.window.file_dialogs import ask_where_to_write
 from BalloonWorkbench.gui.window.selection import select_behind
 from BalloonWorkbench.gui.window.sentences import translated
 
-#: What has changed when the pieces have or lie elsewhere, or what is said of them.
-_TELLING = ("Shape", "Status", "Label", *piece_places.NAMES)
-_PATIENCE = 100  # ms between two looks at a document that is being recomputed
+_SETTLES = 100  # ms until the lights of new pieces are prepared
 _tabs: list[PatternTab] = []
 _watching: list = []
 
@@ -38,19 +34,20 @@ _watching: list = []
 def open_tab(obj) -> PatternTab:
     """The tab of a pattern or a sheet of film, in front; made where there is none."""
     if not _watching:
-        _watching.extend((_DocumentWatch(), _PickWatch()))
+        _watching.extend((_PatternWatch(_tabs), _PickWatch()))
         App.addDocumentObserver(_watching[0])
         Gui.Selection.addObserver(_watching[1])
     return tab_of(obj, _tabs, PatternTab, "pattern_view")
 
 
-class PatternTab(QtWidgets.QWidget):
+class PatternTab(DocumentTab):
     """The pieces, a bar above them, and a line that tells what is picked or measured."""
 
+    SHOWN = (*DocumentTab.SHOWN, *piece_places.NAMES)
+
     def __init__(self, obj):
-        super().__init__()
+        super().__init__(obj, _tabs)
         self.setObjectName("PatternTab")
-        self.obj = obj  # None: it is gone
         self.lights = SeamLights(obj) if is_pattern(obj) else None
         self.view = PieceView()
         self.view.setAccessibleName(translate("Flat pieces"))
@@ -71,9 +68,6 @@ class PatternTab(QtWidgets.QWidget):
         column.addLayout(beside, 1)
         column.addWidget(self.line)
         self._kept = None  # the Arrangement in which the pieces are shown
-        self._soon = QtCore.QTimer(self)
-        self._soon.setSingleShot(True)
-        self._soon.timeout.connect(self.follow)
         self.follow()
 
     def _bar(self):
@@ -125,17 +119,8 @@ class PatternTab(QtWidgets.QWidget):
 
     # the document
 
-    def changed(self) -> None:
-        """The object is another one now: it is looked at when FreeCAD is done with it."""
-        self._soon.start(0)
-
-    def follow(self) -> None:
+    def show_object(self) -> None:
         """Show the pieces as they are now; the old ones stay where there are none, and it is told why."""
-        if self.obj is None:
-            return
-        if self.obj.Document.Recomputing:
-            self._soon.start(_PATIENCE)
-            return
         self.setWindowTitle(translate("{}: {}, flat").format(self.obj.Document.Label, self.obj.Label))
         problem = status.problem(self.obj)
         try:
@@ -162,7 +147,7 @@ class PatternTab(QtWidgets.QWidget):
             self.reset.setEnabled(bool(kept.places))
         if others:
             self.looks.forget()
-            QtCore.QTimer.singleShot(_PATIENCE, self._prepare)
+            QtCore.QTimer.singleShot(_SETTLES, self._prepare)
         if self.lights is not None:
             self.lights.clear()
             if self.view.edge is not None:  # the balloon may have another shape now
@@ -173,21 +158,10 @@ class PatternTab(QtWidgets.QWidget):
         if self.obj is not None and self.lights is not None and not self.obj.Document.Recomputing:
             self.lights.prepare(self.view.laid.base)
 
-    def leave(self) -> None:
-        """The object is being deleted: the tab closes when FreeCAD is done with that."""
+    def let_go(self) -> None:
+        """Nothing of the balloon is lit any longer."""
         if self.lights is not None:
             self.lights.clear()
-        self.obj = None
-        self._soon.stop()
-        QtCore.QTimer.singleShot(0, partial(_close, self))
-
-    def closeEvent(self, event):
-        if self.lights is not None and self.obj is not None:
-            self.lights.clear()
-        self.obj = None
-        if self in _tabs:
-            _tabs.remove(self)
-        super().closeEvent(event)
 
     # what is picked, laid and measured
 
@@ -272,34 +246,22 @@ def _object_of(obj, number: int):
     return next((panel for panel in panels if panel.Number == number), obj)
 
 
-def _close(tab: PatternTab) -> None:
-    frame = tab.parentWidget() if tab in _tabs else None
-    if frame is not None:
-        frame.close()
-
-
-class _DocumentWatch(Guarded):
-    """Told by FreeCAD what changes and what goes."""
+class _PatternWatch(TabWatch):
+    """A pattern is shown with what is printed on it."""
 
     def slotChangedObject(self, obj, name) -> None:
-        for tab in _of(obj) if name in _TELLING else ():
-            tab.changed()
+        super().slotChangedObject(obj, name)
         self._print_changed(obj)
 
     def slotDeletedObject(self, obj) -> None:
-        for tab in _of(obj):
-            tab.leave()
+        super().slotDeletedObject(obj)
         self._print_changed(obj)
 
     def _print_changed(self, obj) -> None:
-        for tab in _tabs if is_artwork(obj) else ():
+        for tab in self.tabs if is_artwork(obj) else ():
             if tab.obj is not None and obj.Pattern == tab.obj:
                 tab.looks.forget()
                 tab.changed()
-
-    def slotDeletedDocument(self, document) -> None:
-        for tab in [each for each in _tabs if each.obj is not None and each.obj.Document == document]:
-            tab.leave()
 
 
 class _PickWatch(Guarded):
@@ -315,7 +277,3 @@ class _PickWatch(Guarded):
             owner = obj.Pattern if is_panel(obj) else obj
             if owner in (tab.obj, getattr(tab.obj, "Balloon", None)):
                 tab.meant(Pick(obj, element, tuple(place)))
-
-
-def _of(obj) -> list[PatternTab]:
-    return [tab for tab in _tabs if tab.obj == obj]

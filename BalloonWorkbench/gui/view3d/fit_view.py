@@ -15,12 +15,11 @@ import FreeCADGui as Gui
 import numpy as np
 
 from BalloonWorkbench.core.geometry.polyline import bounds, extent
-from BalloonWorkbench.gui.qt import QtCore, QtWidgets
+from BalloonWorkbench.gui.window.overlays import covered
 
 _AROUND = 1.1  # of what is seen
 _SLACK = 0.02  # of the view that counts as nothing
 _LEAST = 0.2  # of the view's width and height, that panels leave free
-OVERLAYS = ("OverlayLeft", "OverlayRight", "OverlayTop", "OverlayBottom")
 
 
 def fit_all(document=None) -> None:
@@ -92,23 +91,10 @@ def free_part(view) -> tuple[float, float, float, float]:
         return 0.0, 1.0, 0.0, 1.0
     window = view.graphicsView()
     width, height = max(window.width(), 1), max(window.height(), 1)
-    whole = QtCore.QRect(window.mapToGlobal(QtCore.QPoint(0, 0)), window.size())
-    left, right, bottom, top = _legends(view) / width, 1.0, 0.0, 1.0
-    for name in OVERLAYS:
-        panel = Gui.getMainWindow().findChild(QtWidgets.QWidget, name)
-        if panel is None or not panel.isVisible():
-            continue
-        hidden = whole.intersected(QtCore.QRect(panel.mapToGlobal(QtCore.QPoint(0, 0)), panel.size()))
-        if hidden.isEmpty():
-            continue
-        if name == "OverlayLeft":
-            left = max(left, (hidden.right() + 1 - whole.left()) / width)
-        elif name == "OverlayRight":
-            right = min(right, (hidden.left() - whole.left()) / width)
-        elif name == "OverlayTop":
-            top = min(top, 1.0 - (hidden.bottom() + 1 - whole.top()) / height)
-        else:
-            bottom = max(bottom, 1.0 - (hidden.top() - whole.top()) / height)
+    over_left, over_top, over_right, over_bottom = covered(window)
+    left = max(_legends(view), over_left) / width
+    right = 1.0 - over_right / width
+    bottom, top = over_bottom / height, 1.0 - over_top / height
     if right - left < _LEAST or top - bottom < _LEAST:
         return 0.0, 1.0, 0.0, 1.0
     return left, right, bottom, top

@@ -55,7 +55,7 @@ class TabRow(QtWidgets.QWidget):
     @property
     def texts(self) -> tuple[str | None, str | None]:
         """Both lengths as the engine reads them; None where nothing was given."""
-        if not self.isVisibleTo(self.parentWidget()):
+        if self.isHidden():
             return None, None
         width, below = (
             f"{number_text(each, 6)} mm" if each else None for each in preferences.tabs(self._machine)

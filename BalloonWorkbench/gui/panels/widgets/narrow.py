@@ -179,11 +179,9 @@ class Message(WrappedLabel):
 
     def _be_seen(self) -> None:
         fit_heights()
-        parent = self.parentWidget()
-        while parent is not None and not isinstance(parent, QtWidgets.QScrollArea):
-            parent = parent.parentWidget()
-        if parent is not None and self.isVisible():
-            parent.ensureWidgetVisible(self)
+        for area in QtWidgets.QApplication.allWidgets() if self.isVisible() else ():
+            if isinstance(area, QtWidgets.QScrollArea) and area.isAncestorOf(self):
+                area.ensureWidgetVisible(self)
 
 
 class FullList(QtWidgets.QListWidget):
