@@ -66,6 +66,21 @@ def safety_of(balloon):
     return safety(*film_result.stored(balloon), exact=False)
 
 
+def is_safety_known(balloon) -> bool:
+    """safety_of is there at once. Raises InputError where there is no result."""
+    from BalloonWorkbench.core.making.safety import safety
+
+    return safety.knows(*film_result.stored(balloon), exact=False)
+
+
+def working_out_safety(balloon):
+    """A function that does what safety_of does and does not touch the document: any thread may call it."""
+    from BalloonWorkbench.core.making.safety import safety
+
+    inflation, film = film_result.stored(balloon)
+    return lambda: safety(inflation, film, exact=False)
+
+
 def write_assembly(parts, target, paper: str = "A4", machine: str | None = None) -> Path:
     """Write the assembly sheet to a PDF file, or as assembly.pdf into a folder; returns the file.
 

@@ -66,7 +66,8 @@ class BalloonDisplay:
 
         self.vobj = vobj
         self._document, self._name = vobj.Object.Document.Name, vobj.Object.Name
-        self._film, self._painted, self._panels = FilmDisplay(vobj), PaintedFilm(vobj), PanelDisplay(vobj)
+        self._film = FilmDisplay(vobj, self._show_soon)
+        self._painted, self._panels = PaintedFilm(vobj), PanelDisplay(vobj)
         self._curves = coin.SoSwitch()
         self._curves.whichChild.setValue(coin.SO_SWITCH_NONE)
         vobj.RootNode.addChild(self._curves)
@@ -75,10 +76,13 @@ class BalloonDisplay:
         self._soon.setSingleShot(True)
         self._soon.timeout.connect(self.follow)
 
+    def _show_soon(self) -> None:
+        self._soon.start(0)
+
     def object_changed(self, name: str) -> None:
         """A property of the balloon has changed."""
         if name in _RESULTS:
-            self._soon.start(0)
+            self._show_soon()
         elif name in ("Film", "Material") and not is_replaying(self.vobj.Object.Document):
             take_look(self.vobj)
 
@@ -87,26 +91,26 @@ class BalloonDisplay:
         if name in (*COLOUR_PROPERTIES, "Transparency"):
             self._film.follow_colour(self.vobj)
         elif name in ("CompareOutlines", "Visibility"):
-            self._soon.start(0)
+            self._show_soon()
         elif name in ("ColourMap", "DisplayMode") and not self._is_loading() and not self._switching:
             self._switching = True
             try:
                 self._couple(name)
             finally:
                 self._switching = False
-            self._soon.start(0)
+            self._show_soon()
 
     def mode_chosen(self, mode: str) -> None:
         """FreeCAD is about to show a display mode."""
         if mode in MODES:
-            self._soon.start(0)
+            self._show_soon()
 
     def follow(self) -> None:
         """Show everything as it is now; while the document opens, wait until all its objects are there."""
         if not self._is_there():
             return
         if self.vobj.Object.Document.Restoring:
-            self._soon.start(0)
+            self._show_soon()
             return
         mode = self.vobj.DisplayMode
         if mode == PAINTED:

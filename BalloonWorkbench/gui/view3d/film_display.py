@@ -3,9 +3,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
+
 from BalloonWorkbench.app.border import hooks
+from BalloonWorkbench.app.engine import film_result, maker
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.film.film import Look
+from BalloonWorkbench.core.results.colour_map import TENSION
+from BalloonWorkbench.gui.long_work.worker import Call, Worker
 from BalloonWorkbench.gui.view3d.film_look import FilmLook
 from BalloonWorkbench.gui.view3d.film_map import map_nodes
 from BalloonWorkbench.gui.view3d.legend_row import OFF
@@ -15,11 +21,16 @@ FILM, MAP = "Film", "Colour map"
 
 
 class FilmDisplay:
-    """Nodes of the modes FILM and MAP; they are made when they are looked at."""
+    """Nodes of the modes FILM and MAP; they are made when they are looked at.
 
-    def __init__(self, vobj):
+    changed  is called when there is more to show than before
+    """
+
+    def __init__(self, vobj, changed: Callable[[], None]):
         from pivy import coin
 
+        self._changed = changed
+        self._worker: Worker | None = None
         self._film, self._map = coin.SoGroup(), coin.SoGroup()
         self._look = FilmLook()
         for node, mode in ((self._film, FILM), (self._map, MAP)):
@@ -27,6 +38,7 @@ class FilmDisplay:
 
     def follow(self, vobj, mode: str) -> None:
         """Show the balloon as it is now in a mode."""
+        self._leave()
         if mode == FILM:
             self._film.removeAllChildren()
             self.follow_colour(vobj)
@@ -58,8 +70,33 @@ class FilmDisplay:
         try:
             for node in map_nodes(vobj.Object, vobj.ColourMap):
                 self._map.addChild(node)
+            if vobj.ColourMap == TENSION and film_result.is_known(vobj.Object):
+                self._work_out_safety(vobj.Object)
         except BalloonError as error:
             hooks.report(error, vobj.Object.Label)
+
+    def _work_out_safety(self, obj) -> None:
+        """What the film can bear, which takes many seconds for many panels, once for each result."""
+        if self._worker is None and not maker.is_safety_known(obj):
+            self._worker = Worker(Call(maker.working_out_safety(obj)))
+            self._worker.ended.connect(partial(self._worked_out, self._worker))
+            self._worker.start()
+
+    def _leave(self) -> None:
+        """What is being worked out is not shown any more: it ends at its next step."""
+        if self._worker is not None:
+            self._worker.stop()
+        self._worker = None
+
+    def _worked_out(self, worker: Worker) -> None:
+        worker.deleteLater()
+        if worker is not self._worker:
+            return
+        self._worker = None
+        if worker.error is None:
+            self._changed()
+        else:
+            hooks.report(worker.error)
 
 
 def look_of(obj) -> Look:

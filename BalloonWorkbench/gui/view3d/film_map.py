@@ -66,7 +66,7 @@ def choices_of(obj) -> list[str]:
 def map_nodes(obj, kind: str) -> list:
     """Nodes that show one kind of result of a balloon object; none where there is no such result.
 
-    Raises BalloonError.
+    What the film can bear is told where it is known. Raises BalloonError.
     """
     from pivy import coin
 
@@ -84,8 +84,13 @@ def map_nodes(obj, kind: str) -> list:
         return [_film(SkinNodes(skin), [_matt(coin, _GREY)]), legend_node(obj, legend, TOP)]
     if kind == colour_map.RESIDUAL:
         return _residual_nodes(obj, inflation, skin)
-    safe = maker.safety_of(obj) if kind == colour_map.TENSION else None
+    is_tension = kind == colour_map.TENSION
+    safe = maker.safety_of(obj) if is_tension and maker.is_safety_known(obj) else None
     shown = _film_colours(obj, inflation, film, film_results, kind, safe)
+    if is_tension and safe is None:
+        waiting = (*shown.legend.notes, translate("safe to: is being worked out"))
+        legend = replace(shown.legend, notes=waiting)
+        return [_film(SkinNodes(skin, shown.map.shares), _scale_nodes()), legend_node(obj, legend, TOP)]
     nodes = [
         _film(SkinNodes(skin, shown.map.shares), _scale_nodes()),
         legend_node(obj, shown.legend, TOP),

@@ -204,12 +204,38 @@ def test_tension_shows_the_weakest_place(made, monkeypatch):
         return coin.SoSeparator()
 
     monkeypatch.setattr(film_map, "label_node", label)
-    assert film_map.map_nodes(made.balloon, "Tension")
     safe = maker.safety_of(made.balloon)
+    assert film_map.map_nodes(made.balloon, "Tension")
     ((place, text),) = shown
     assert place == pytest.approx(1000.0 * safe.place)
     assert text == f"{safe.weakest} {number_text(safe.load.value)} N/m"
     assert maker.numbers(parts_of(made.balloon), exact=False).safety.safe_pressure == safe.safe_pressure
+
+
+def test_what_the_film_can_bear_is_worked_out_beside_the_window(made, monkeypatch):
+    """For many panels it takes many seconds: the map is there at once, and what is told is never older."""
+    told, show = [], film_map.legend_node
+    monkeypatch.setattr(
+        film_map,
+        "legend_node",
+        lambda obj, legend, place: told.append(legend.notes) or show(obj, legend, place),
+    )
+    made.balloon.Pressure = 0.7
+    made.balloon.Document.recompute()
+    with hands.work_held():
+        made.balloon.ViewObject.ColourMap = "Tension"
+        hands.wait_until(lambda: told)
+        hands.wait(0.2)
+        assert told[-1][-1] == "safe to: is being worked out"
+        made.balloon.Pressure = 0.8  # what is being worked out belongs to the pressure before
+        made.balloon.Document.recompute()
+    hands.wait_until(lambda: "margin" in told[-1][-1])
+    margin = number_text(maker.safety_of(made.balloon).margin)
+    assert told[-1][-1].endswith(f"margin {margin}")
+    made.balloon.ViewObject.ColourMap = "Strain"
+    made.balloon.ViewObject.ColourMap = "Tension"
+    hands.wait(0.1)
+    assert "margin" in told[-1][-1]  # known by now
 
 
 def test_drawing_is_compared_with_the_silhouette(made, tmp_path):

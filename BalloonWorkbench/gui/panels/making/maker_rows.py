@@ -9,11 +9,10 @@ from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.engine import maker
 from BalloonWorkbench.app.properties import film
 from BalloonWorkbench.app.properties.quantities import cubic_millimetres
-from BalloonWorkbench.core.checkpoint import stoppable
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.making.safety import WELD
 from BalloonWorkbench.core.units import area_text, mass_text, money_text, number_text, to_mm
-from BalloonWorkbench.gui.long_work.worker import Worker
+from BalloonWorkbench.gui.long_work.worker import Call, Worker
 from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel, fit_heights
 from BalloonWorkbench.gui.qt import QtCore, translate
 from BalloonWorkbench.gui.window.sentences import translated
@@ -40,7 +39,7 @@ class MakerRows:
             self._seam = film.read(parts.balloon).seam
         except BalloonError:
             return
-        worker = self._worker = Worker(_Counting(count))
+        worker = self._worker = Worker(Call(count))
         worker.ended.connect(partial(self._counted, worker))
         worker.start()
 
@@ -67,17 +66,6 @@ class MakerRows:
         for name, text in _rows(worker.design, self._short, self._seam):
             self._form.addRow(name, value_label(text))
         fit_heights()
-
-
-class _Counting:
-    """What a worker is asked."""
-
-    def __init__(self, count):
-        self._count = count
-
-    def solve(self, progress):
-        with stoppable(progress):
-            return self._count()
 
 
 def value_label(text: str):
