@@ -4,7 +4,7 @@
 import FreeCADGui as Gui
 import hands
 import pytest
-from brush import close_window
+from brush import close_window, open_window, press
 from hands import QtCore, QtWidgets
 
 from BalloonWorkbench.gui.paint import window as paint_window
@@ -27,3 +27,12 @@ def width_given_back(workbench):
         close_window()
     hands.wait(0.3)
     assert not before or _width() <= before + 40  # px, what a task panel may need
+
+
+@pytest.fixture
+def window(doc):
+    """The paint window with all its tools."""
+    opened = open_window()
+    press("PaintMore")
+    yield opened
+    close_window()

@@ -9,7 +9,7 @@ from pathlib import Path
 import FreeCAD as App
 import hands
 import pytest
-from brush import BLUE, RED, Qt, box_of, close_window, draw, ellipse, ink, key, open_window, press, rgba
+from brush import BLUE, RED, Qt, box_of, draw, ellipse, ink, key, open_window, press, rgba
 
 from BalloonWorkbench.app.drawings.qt_picture import pixels
 from BalloonWorkbench.gui.paint.painting.layers import SIDE
@@ -17,14 +17,6 @@ from BalloonWorkbench.gui.paint.painting.layers import SIDE
 QtCore, QtGui, QtWidgets = hands.QtCore, hands.QtGui, hands.QtWidgets
 HEART = Path("resources/examples/pictures/heart.png").resolve()
 CTRL = Qt.ControlModifier
-
-
-@pytest.fixture
-def window(doc):
-    opened = open_window()
-    press("PaintMore")
-    yield opened
-    close_window()
 
 
 @pytest.fixture(autouse=True)

@@ -14,13 +14,11 @@ from brush import (
     Qt,
     box_of,
     click,
-    close_window,
     colour_at,
     draw,
     ink,
     key,
     mouse,
-    open_window,
     press,
     rgba,
     tablet,
@@ -35,14 +33,6 @@ from BalloonWorkbench.gui.paint.painting.words import picture_of
 QtCore, QtGui, QtWidgets = hands.QtCore, hands.QtGui, hands.QtWidgets
 HEART = Path("resources/examples/pictures/heart.png").resolve()
 CTRL = Qt.ControlModifier
-
-
-@pytest.fixture
-def window(doc):
-    opened = open_window()
-    press("PaintMore")
-    yield opened
-    close_window()
 
 
 # colours

@@ -15,12 +15,10 @@ from brush import (
     QEvent,
     Qt,
     click,
-    close_window,
     colour_at,
     draw,
     key,
     mouse,
-    open_window,
     press,
     rgba,
 )
@@ -34,14 +32,6 @@ from BalloonWorkbench.gui.paint.painting.pieces import Stamped
 from BalloonWorkbench.gui.paint.painting.strokes import BRUSH, PEN, Fill, PaintStroke
 from BalloonWorkbench.gui.paint.painting.symmetry import ONCE, Symmetry, mapped
 from BalloonWorkbench.gui.paint.painting.widen import Widen
-
-
-@pytest.fixture
-def window(doc):
-    opened = open_window()
-    press("PaintMore")
-    yield opened
-    close_window()
 
 
 @pytest.mark.parametrize("fold", range(3, 13))
