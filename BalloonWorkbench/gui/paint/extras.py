@@ -206,4 +206,6 @@ class Extras(QtCore.QObject):
         middle = at or canvas.paper.to_paper(QtCore.QPointF(canvas.rect().center()))
         canvas.floating.lay(image, middle)
         canvas.setFocus()
-        self.message.emit(translate("Pull it to its place. Enter paints it, Esc drops it."))
+        self.message.emit(
+            translate("Pull it, its corner, or the ring that turns it. Enter paints it, Esc drops it.")
+        )

@@ -9,7 +9,7 @@ from pathlib import Path
 import FreeCAD as App
 import hands
 import pytest
-from brush import BLUE, RED, Qt, box_of, draw, ellipse, ink, key, open_window, press, rgba
+from brush import BLUE, RED, YELLOW, Qt, box_of, colour_at, draw, ellipse, ink, key, open_window, press, rgba
 
 from BalloonWorkbench.app.drawings.qt_picture import pixels
 from BalloonWorkbench.gui.paint.painting.layers import SIDE
@@ -190,3 +190,71 @@ def test_a_file_is_dropped_on_the_paper(window):
     assert (middle.x(), middle.y()) == pytest.approx((400, 300), abs=3)
     press("PaintPen")  # another tool paints what is being placed
     assert [step.tool for step in window.painting.steps] == ["picture"]
+
+
+def laid(window, width=200, height=60):
+    """A red rectangle that is being placed, its right half yellow, in the middle of the paper."""
+    image = QtGui.QImage(width, height, QtGui.QImage.Format_ARGB32_Premultiplied)
+    image.fill(QtGui.QColor(RED))
+    painter = QtGui.QPainter(image)
+    painter.fillRect(width // 2, 0, width, height, QtGui.QColor(YELLOW))
+    painter.end()
+    window.canvas.floating.lay(image, QtCore.QPointF(0.5 * SIDE, 0.5 * SIDE))
+    return window.canvas.floating
+
+
+def ring(window):
+    """The place of the paper, 0 to 1, at which what is being placed is turned."""
+    floating = window.canvas.floating
+    place = floating._turned().map(floating._ring(window.canvas.paper.zoom)) / SIDE
+    return place.x(), place.y()
+
+
+def test_a_piece_is_turned_by_its_ring(window):
+    """A quarter clockwise: what was right is below then, and nothing of it is lost."""
+    floating = laid(window)
+    draw(window.canvas, [ring(window), (0.7, 0.45), (0.7, 0.5)], let_live=False)
+    assert floating.angle == pytest.approx(90.0, abs=0.2)
+    hands.screenshot("paint-turned")
+    key(window.canvas, Qt.Key_Return, "\r")
+    assert box_of(ink(window)) == pytest.approx((470, 400, 60, 200), abs=2)
+    assert colour_at(window, 0.5, 0.45) == rgba(RED)
+    assert colour_at(window, 0.5, 0.55) == rgba(YELLOW)
+    assert int(ink(window).sum()) == pytest.approx(200 * 60, rel=0.01)
+    assert len(window.painting.steps) == 1
+    press("PaintUndo")
+    assert window.painting.is_empty()
+
+
+def test_a_turned_piece_keeps_its_corner_while_it_is_sized(window):
+    floating = laid(window)
+    for letter in "]]]":
+        key(window.canvas, Qt.Key_BracketRight, letter)
+    key(window.canvas, Qt.Key_BracketLeft, "[")
+    assert floating.angle == 30.0
+    fixed = floating._turned().map(floating.box.topLeft())
+    corner = floating._turned().map(floating.box.bottomRight()) / SIDE
+    draw(window.canvas, [(corner.x(), corner.y()), (corner.x() + 0.08, corner.y() + 0.08)], let_live=False)
+    assert floating.box.width() > 250
+    after = floating._turned().map(floating.box.topLeft())
+    assert (after.x(), after.y()) == pytest.approx((fixed.x(), fixed.y()), abs=1e-6)
+    key(window.canvas, Qt.Key_Plus, "+")
+    assert floating._turned().map(floating.box.topLeft()).x() == pytest.approx(fixed.x(), abs=1e-6)
+    width, height = floating.box.width(), floating.box.height()
+    key(window.canvas, Qt.Key_Return, "\r")
+    assert int(ink(window).sum()) == pytest.approx(width * height, rel=0.02)
+    laid(window)
+    assert window.canvas.floating.angle == 0.0  # the next one lies straight
+
+
+def test_a_piece_that_is_turned_beyond_the_paper_is_cut_off_there(window):
+    floating = laid(window, 1000, 1000)
+    floating.turn_by(45.0)
+    floating.nudge(500.0, 500.0)
+    key(window.canvas, Qt.Key_Return, "\r")
+    assert int(ink(window).sum()) == pytest.approx(0.25 * 1e6, rel=0.1)
+    for turn in range(30):
+        floating = laid(window, 3, 900)
+        floating.turn_by(13.0 * turn)
+        window.canvas.floating.confirm()
+    assert not window.painting.is_empty()

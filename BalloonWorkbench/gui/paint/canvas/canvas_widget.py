@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from BalloonWorkbench.gui.paint.canvas.floating import STEP as TURN_STEP
 from BalloonWorkbench.gui.paint.canvas.floating import FloatingPicture
 from BalloonWorkbench.gui.paint.canvas.inputs import (
     AxisInput,
@@ -29,6 +30,7 @@ from BalloonWorkbench.gui.window.zoom_keys import FIT, LARGER, PULL, SMALLER, ST
 _CLOSE = 2.0  # px on the screen between two points of a stroke
 _TRACING = 0.45  # opacity of the backdrop
 _LETTERS = {*"M[]QDK,.12345678"} | {tool.key for tool in (*tools.TOOLS, *tools.MORE_TOOLS)}
+_TURNS = {"[": -TURN_STEP, "]": TURN_STEP}  # of what is being placed, degrees
 _ENTER = (QtCore.Qt.Key_Return, QtCore.Qt.Key_Enter)
 #: What is done with the clipboard, by Qt's keys for it.
 _CLIPS = {
@@ -181,7 +183,7 @@ class Canvas(OwnKeys, QtWidgets.QWidget):
     def _draw_on(self, point, pressure: float = 1.0, shift: bool = False) -> None:
         at = self.paper.to_paper(point)
         if self.floating.is_held():
-            self.floating.move(at)
+            self.floating.move(at, shift)
         elif self._input() is not None and self._input().is_at_work():
             self._input().move(at, shift)
         else:
@@ -280,6 +282,8 @@ class Canvas(OwnKeys, QtWidgets.QWidget):
             if event.key() == key:
                 return action
         letter = event.text().upper()
+        if letter in _TURNS and self.floating.is_there():
+            return lambda: self.floating.turn_by(_TURNS[letter])
         return (lambda: self.chosen.emit(letter)) if letter in _LETTERS else None
 
     def _go(self, way) -> None:

@@ -88,7 +88,7 @@ MORE_TOOLS = (
         QT_TRANSLATE_NOOP("BalloonWorkbench", "Text"),
         QT_TRANSLATE_NOOP(
             "BalloonWorkbench",
-            "Click where it shall stand and type; pull it, or its corner. Enter paints it, Esc drops it.",
+            "Click and type; pull it, its corner, or the ring that turns it. Enter paints it, Esc drops it.",
         ),
     ),
     Tool(
