@@ -10,7 +10,7 @@ _BALLOONS = (
     *("parts", "panels", "change", "inflate", "edit_outline", "findings", "repair"),
 )
 _MAKING = (
-    *("export", "tool_paths", "artwork", "arrange", "sketch", "nest", "keep_remnant"),
+    *("export", "tool_paths", "artwork", "arrange", "print_pieces", "sketch", "nest", "keep_remnant"),
     *("assembly_sheet", "share", "study", "test_card", "keep_field", "compare", "fit_film"),
 )
 #: Each function, and the module of app/api that has it.

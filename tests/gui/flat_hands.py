@@ -19,7 +19,7 @@ def open_tab(obj):
     hands.wait(0.3)  # from FreeCAD 1.0 on that brings the 3D view to the front
     Gui.runCommand("BalloonWorkbench_PatternView")
     (tab,) = [each for each in tabs._tabs if each.obj.Document == obj.Document]
-    hands.wait_until(lambda: tab.isVisible() and tab.parentWidget().isMaximized(), 5)
+    hands.wait_until(lambda: tab.isVisible() and tab.frame.isMaximized(), 5)
     hands.wait(0.3)  # it has its size
     return tab
 

@@ -93,6 +93,13 @@ def arrange(pattern_obj, piece=None, at=(0.0, 0.0), angle=0.0, mirrored=False) -
 
 
 @bordered
+def print_pieces(obj, path, paper: str = "A4") -> Path:
+    """Write the flat pieces as they lie in the pattern view to a PDF, in real size on pages of "A4", "A3" or
+    "Letter"; returns the file. Raises ExportError."""
+    return Path(path) if done else writer.print_pieces(obj, path, paper)
+
+
+@bordered
 def sketch(pattern_obj):
     """A new Sketcher sketch of a pattern's cuts, of lines and arcs; InputError while it is not up to date."""
     from BalloonWorkbench.app.shapes.pattern_sketch import make_sketch

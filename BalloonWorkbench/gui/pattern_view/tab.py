@@ -22,6 +22,7 @@ from BalloonWorkbench.gui.pattern_view.piece_view import PieceView
 from BalloonWorkbench.gui.pattern_view.seam_lights import SeamLights
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon, translate
 from BalloonWorkbench.gui.tabs.document_tab import DocumentTab, TabWatch, column_in, tab_of, telling_line
+from BalloonWorkbench.gui.window import macro_recorder
 from BalloonWorkbench.gui.window.file_dialogs import ask_where_to_write
 from BalloonWorkbench.gui.window.selection import select_behind
 from BalloonWorkbench.gui.window.sentences import translated
@@ -106,6 +107,12 @@ class PatternTab(DocumentTab):
             if path is not None:
                 paper = "Letter" if is_imperial() else "A4"
                 print_pieces(self.obj, path, paper)
+                macro_recorder.call(
+                    "print_pieces",
+                    macro_recorder.obj(self.obj),
+                    macro_recorder.text(path),
+                    macro_recorder.text(paper),
+                )
                 self.say(
                     translate("Written to {}, in real size on {}: print it at 100 %.").format(path, paper)
                 )

@@ -52,7 +52,7 @@ def open_tab(obj):
 
 def seen(obj):
     (tab,) = [each for each in tabs._tabs if each.obj.Document == obj.Document]
-    hands.wait_until(lambda: tab.isVisible() and tab.parentWidget().isMaximized(), 5)
+    hands.wait_until(lambda: tab.isVisible() and tab.frame.isMaximized(), 5)
     size = None
     while size != tab.view.size():
         size = tab.view.size()

@@ -12,10 +12,12 @@ import FreeCADGui as Gui
 import hands
 import pytest
 import sketches
+from flat_hands import open_tab
 
 from BalloonWorkbench.app.document import create
 from BalloonWorkbench.app.document.parts import patterns
 from BalloonWorkbench.core.results.colour_map import WRINKLES
+from BalloonWorkbench.gui.pattern_view import tab as pattern_tab
 from BalloonWorkbench.gui.window import macro_recorder
 
 HEART = Path("resources/examples/pictures/heart.png").resolve()
@@ -117,6 +119,7 @@ def test_edit_records_what_changed(opened, macro, tmp_path):
     before = f"""
 sys.path.append({str(Path(sketches.__file__).parent)!r})
 import sketches
+from flat_hands import open_tab
 from BalloonWorkbench.app.document import create
 plate = sketches.rectangle(App.ActiveDocument, 90, 60)
 create.balloon_from_sketch(App.ActiveDocument, plate, mesh_size=10, correct=False)
@@ -276,6 +279,21 @@ def test_artwork_layout_assembly_and_map(made, rectangle_file, macro, tmp_path):
     again = App.openDocument(str(shutil.copy(rectangle_file, tmp_path / "again.FCStd")))
     replay(macro)
     assert made_of(again) == expected
+    assert page.read_bytes() == written
+
+
+def test_printed_pieces(made, macro, tmp_path, monkeypatch):
+    """The line writes the same page again."""
+    page = tmp_path / "pieces.pdf"
+    tab = open_tab(made.pattern)
+    monkeypatch.setattr(pattern_tab, "ask_where_to_write", lambda *_asked: str(page))
+    buttons = hands.visible(hands.QtWidgets.QToolButton)
+    hands.click(next(each for each in buttons if tab.isAncestorOf(each) and each.text() == "Print"))
+    hands.wait_until(lambda: page.name in tab.line.text(), 20)
+    assert sum("BalloonWorkbench.print_pieces(" in line for line in macro) == 1
+    written = page.read_bytes()
+    page.unlink()
+    replay(macro)
     assert page.read_bytes() == written
 
 
