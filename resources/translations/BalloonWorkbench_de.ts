@@ -2235,6 +2235,10 @@
         <translation>Klicken Sie auf eine Kante: Es wird gezeigt, womit sie verschweißt wird.</translation>
     </message>
     <message>
+        <source>Click and type; pull it, its corner, or the ring that turns it. Enter paints it, Esc drops it.</source>
+        <translation>Klicken und tippen; es, seine Ecke oder den Ring ziehen, der es dreht. Enter malt es, Esc verwirft es.</translation>
+    </message>
+    <message>
         <source>Click both ends of a length that you know; a third click moves the nearer mark.</source>
         <translation>Klicken Sie auf beide Enden einer Länge, die Sie kennen; ein dritter Klick verschiebt die nähere Marke.</translation>
     </message>
@@ -2261,10 +2265,6 @@
     <message>
         <source>Click two points to measure between them.</source>
         <translation>Klicken Sie auf zwei Punkte, um dazwischen zu messen.</translation>
-    </message>
-    <message>
-        <source>Click where it shall stand and type; pull it, or its corner. Enter paints it, Esc drops it.</source>
-        <translation>Klicken, wo der Text stehen soll, und tippen; ihn oder seine Ecke ziehen. Eingabe malt ihn, Esc verwirft ihn.</translation>
     </message>
     <message>
         <source>Click where the new seam begins. Esc: done.</source>
@@ -4723,8 +4723,8 @@
         <translation>Eine Form auf ihre Größe ziehen, nach oben oder unten, um sie zu drehen; mit Umschalt bleibt sie aufrecht.</translation>
     </message>
     <message>
-        <source>Pull it to its place. Enter paints it, Esc drops it.</source>
-        <translation>An seinen Platz ziehen. Eingabe malt es, Esc verwirft es.</translation>
+        <source>Pull it, its corner, or the ring that turns it. Enter paints it, Esc drops it.</source>
+        <translation>Es, seine Ecke oder den Ring ziehen, der es dreht. Enter malt es, Esc verwirft es.</translation>
     </message>
     <message>
         <source>Pull the centre of the symmetry to its place, and turn its axis by the ring</source>
@@ -8649,6 +8649,10 @@
     <message>
         <source>safe to {}, margin {}</source>
         <translation>sicher bis {}, Reserve {}-fach</translation>
+    </message>
+    <message>
+        <source>safe to: is being worked out</source>
+        <translation>sicher bis: wird berechnet</translation>
     </message>
     <message>
         <source>seal width</source>

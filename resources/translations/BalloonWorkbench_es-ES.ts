@@ -2235,6 +2235,10 @@
         <translation>Haga clic en un borde para ver con qué se sella.</translation>
     </message>
     <message>
+        <source>Click and type; pull it, its corner, or the ring that turns it. Enter paints it, Esc drops it.</source>
+        <translation>Haga clic y escriba; arrástrelo, o su esquina, o el anillo que lo gira. Intro lo pinta, Esc lo descarta.</translation>
+    </message>
+    <message>
         <source>Click both ends of a length that you know; a third click moves the nearer mark.</source>
         <translation>Haga clic en ambos extremos de una longitud que conozca; un tercer clic mueve la marca más cercana.</translation>
     </message>
@@ -2261,10 +2265,6 @@
     <message>
         <source>Click two points to measure between them.</source>
         <translation>Haga clic en dos puntos para medir entre ellos.</translation>
-    </message>
-    <message>
-        <source>Click where it shall stand and type; pull it, or its corner. Enter paints it, Esc drops it.</source>
-        <translation>Haga clic donde deba estar y escriba; tire del texto o de su esquina. Intro lo pinta, Esc lo descarta.</translation>
     </message>
     <message>
         <source>Click where the new seam begins. Esc: done.</source>
@@ -4723,8 +4723,8 @@
         <translation>Tire de una forma hasta su tamaño, hacia arriba o abajo para girarla; Mayús la mantiene derecha.</translation>
     </message>
     <message>
-        <source>Pull it to its place. Enter paints it, Esc drops it.</source>
-        <translation>Tire de la imagen hasta su lugar. Intro la pinta, Esc la descarta.</translation>
+        <source>Pull it, its corner, or the ring that turns it. Enter paints it, Esc drops it.</source>
+        <translation>Arrástrelo, o su esquina, o el anillo que lo gira. Intro lo pinta, Esc lo descarta.</translation>
     </message>
     <message>
         <source>Pull the centre of the symmetry to its place, and turn its axis by the ring</source>
@@ -8649,6 +8649,10 @@
     <message>
         <source>safe to {}, margin {}</source>
         <translation>seguro hasta {}, margen {}</translation>
+    </message>
+    <message>
+        <source>safe to: is being worked out</source>
+        <translation>seguro hasta: se está calculando</translation>
     </message>
     <message>
         <source>seal width</source>

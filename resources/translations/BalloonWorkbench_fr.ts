@@ -2235,6 +2235,10 @@
         <translation>Cliquez sur un bord pour voir à quoi il est soudé.</translation>
     </message>
     <message>
+        <source>Click and type; pull it, its corner, or the ring that turns it. Enter paints it, Esc drops it.</source>
+        <translation>Cliquez et tapez ; tirez-le, son coin, ou l'anneau qui le tourne. Entrée le peint, Échap l'abandonne.</translation>
+    </message>
+    <message>
         <source>Click both ends of a length that you know; a third click moves the nearer mark.</source>
         <translation>Cliquez les deux bouts d'une longueur que vous connaissez ; un troisième clic déplace la marque la plus proche.</translation>
     </message>
@@ -2261,10 +2265,6 @@
     <message>
         <source>Click two points to measure between them.</source>
         <translation>Cliquez sur deux points pour mesurer entre eux.</translation>
-    </message>
-    <message>
-        <source>Click where it shall stand and type; pull it, or its corner. Enter paints it, Esc drops it.</source>
-        <translation>Cliquez là où le texte doit être et tapez ; tirez-le, ou son coin. Entrée le peint, Échap l'abandonne.</translation>
     </message>
     <message>
         <source>Click where the new seam begins. Esc: done.</source>
@@ -4723,8 +4723,8 @@
         <translation>Tirez une forme à sa taille, vers le haut ou le bas pour la tourner ; Maj la garde droite.</translation>
     </message>
     <message>
-        <source>Pull it to its place. Enter paints it, Esc drops it.</source>
-        <translation>Tirez l'image à sa place. Entrée la peint, Échap l'abandonne.</translation>
+        <source>Pull it, its corner, or the ring that turns it. Enter paints it, Esc drops it.</source>
+        <translation>Tirez-le, son coin, ou l'anneau qui le tourne. Entrée le peint, Échap l'abandonne.</translation>
     </message>
     <message>
         <source>Pull the centre of the symmetry to its place, and turn its axis by the ring</source>
@@ -8649,6 +8649,10 @@
     <message>
         <source>safe to {}, margin {}</source>
         <translation>sûr jusqu'à {}, marge {}</translation>
+    </message>
+    <message>
+        <source>safe to: is being worked out</source>
+        <translation>sûr jusqu'à : calcul en cours</translation>
     </message>
     <message>
         <source>seal width</source>

@@ -2235,6 +2235,10 @@
         <translation>辺をクリックすると、どの辺とシールするかが分かります。</translation>
     </message>
     <message>
+        <source>Click and type; pull it, its corner, or the ring that turns it. Enter paints it, Esc drops it.</source>
+        <translation>クリックして入力します。引いて動かし、角で大きさを変え、輪で回します。Enter で描き、Esc でやめます。</translation>
+    </message>
+    <message>
         <source>Click both ends of a length that you know; a third click moves the nearer mark.</source>
         <translation>分かっている長さの両端をクリックします。3 回目のクリックは近い方の印を動かします。</translation>
     </message>
@@ -2261,10 +2265,6 @@
     <message>
         <source>Click two points to measure between them.</source>
         <translation>二つの点をクリックすると、その間を測ります。</translation>
-    </message>
-    <message>
-        <source>Click where it shall stand and type; pull it, or its corner. Enter paints it, Esc drops it.</source>
-        <translation>文字を置く所をクリックして入力します。文字や角を引いて動かします。Enter で描き、Esc で取り消します。</translation>
     </message>
     <message>
         <source>Click where the new seam begins. Esc: done.</source>
@@ -4723,8 +4723,8 @@
         <translation>引いて形の大きさを決めます。上や下に引くと回ります。Shift を押すと真っすぐのままです。</translation>
     </message>
     <message>
-        <source>Pull it to its place. Enter paints it, Esc drops it.</source>
-        <translation>置く所まで引いてください。Enter で描き、Esc で取り消します。</translation>
+        <source>Pull it, its corner, or the ring that turns it. Enter paints it, Esc drops it.</source>
+        <translation>引いて動かし、角で大きさを変え、輪で回します。Enter で描き、Esc でやめます。</translation>
     </message>
     <message>
         <source>Pull the centre of the symmetry to its place, and turn its axis by the ring</source>
@@ -8649,6 +8649,10 @@
     <message>
         <source>safe to {}, margin {}</source>
         <translation>{} まで安全、余裕 {} 倍</translation>
+    </message>
+    <message>
+        <source>safe to: is being worked out</source>
+        <translation>安全な圧力: 計算中</translation>
     </message>
     <message>
         <source>seal width</source>
