@@ -16,8 +16,8 @@ from BalloonWorkbench.core.geometry.polyline import bounds
 from BalloonWorkbench.core.outline_edits.nodes import CORNER, NodeDrawing
 from BalloonWorkbench.core.units import from_mm, to_mm
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, position
+from BalloonWorkbench.gui.tabs.zoom_keys import FIT, LARGER, PULL, SMALLER, STEP
 from BalloonWorkbench.gui.tabs.zoom_view import ZoomView
-from BalloonWorkbench.gui.window.zoom_keys import FIT, LARGER, PULL, SMALLER, STEP
 
 Place = tuple[float, float]
 

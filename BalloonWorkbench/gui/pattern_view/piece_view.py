@@ -14,9 +14,9 @@ from BalloonWorkbench.core.units import from_mm, to_mm
 from BalloonWorkbench.gui.pattern_view.drags import KeyDrag, PullDrag, SlideDrag, TurnDrag
 from BalloonWorkbench.gui.pattern_view.piece_scene import HANDLE, HANDLE_AWAY, PieceScene
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, position
+from BalloonWorkbench.gui.tabs.zoom_keys import FIT, LARGER, PULL, SMALLER
+from BalloonWorkbench.gui.tabs.zoom_keys import STEP as ZOOM_STEP
 from BalloonWorkbench.gui.tabs.zoom_view import ZoomView
-from BalloonWorkbench.gui.window.zoom_keys import FIT, LARGER, PULL, SMALLER
-from BalloonWorkbench.gui.window.zoom_keys import STEP as ZOOM_STEP
 
 _AROUND = 0.05  # of the pieces' size, left free beside them: there is room for a handle
 _FARTHEST, _NEAREST = 0.1, 400.0  # of the zoom that shows everything

@@ -35,7 +35,7 @@ _watching: list = []
 def open_tab(obj) -> PatternTab:
     """The tab of a pattern or a sheet of film, in front; made where there is none."""
     if not _watching:
-        _watching.extend((_PatternWatch(_tabs), _PickWatch()))
+        _watching.extend((_PiecesWatch(_tabs), _PickWatch()))
         App.addDocumentObserver(_watching[0])
         Gui.Selection.addObserver(_watching[1])
     return tab_of(obj, _tabs, PatternTab, "pattern_view")
@@ -253,7 +253,7 @@ def _object_of(obj, number: int):
     return next((panel for panel in panels if panel.Number == number), obj)
 
 
-class _PatternWatch(TabWatch):
+class _PiecesWatch(TabWatch):
     """A pattern is shown with what is printed on it."""
 
     def slotChangedObject(self, obj, name) -> None:

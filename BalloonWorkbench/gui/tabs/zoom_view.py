@@ -7,7 +7,7 @@ import numpy as np
 
 from BalloonWorkbench.core.units import from_mm, to_mm
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, position
-from BalloonWorkbench.gui.window.zoom_keys import OwnKeys, wheel_zoom
+from BalloonWorkbench.gui.tabs.zoom_keys import OwnKeys, wheel_zoom
 
 _AROUND = 0.03  # of what is shown, left free beside it
 _FARTHEST, _NEAREST = 0.1, 400.0  # of the zoom that shows everything

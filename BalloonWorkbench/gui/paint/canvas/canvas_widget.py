@@ -25,7 +25,7 @@ from BalloonWorkbench.gui.paint.painting.layers import SIDE
 from BalloonWorkbench.gui.paint.painting.painted import Painting
 from BalloonWorkbench.gui.paint.painting.strokes import LINE
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, is_eraser, position, translate
-from BalloonWorkbench.gui.window.zoom_keys import FIT, LARGER, PULL, SMALLER, STEP, OwnKeys, wheel_zoom
+from BalloonWorkbench.gui.tabs.zoom_keys import FIT, LARGER, PULL, SMALLER, STEP, OwnKeys, wheel_zoom
 
 _CLOSE = 2.0  # px on the screen between two points of a stroke
 _TRACING = 0.45  # opacity of the backdrop

@@ -8,7 +8,7 @@ import math
 import FreeCADGui as Gui
 
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, position, translate
-from BalloonWorkbench.gui.window.zoom_keys import wheel_zoom
+from BalloonWorkbench.gui.tabs.zoom_keys import wheel_zoom
 
 _ARM, _WIDTH = 14, 2  # px
 _COLOUR = "#ff2d95"
