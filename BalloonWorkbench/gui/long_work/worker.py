@@ -7,11 +7,9 @@ import gc
 import sys
 import time
 from collections import deque
-from collections.abc import Callable
 
 from BalloonWorkbench.app.border import hooks
 from BalloonWorkbench.core import faults
-from BalloonWorkbench.core.checkpoint import stoppable
 from BalloonWorkbench.core.errors import BalloonError, ProgramFault
 from BalloonWorkbench.gui.long_work.status_progress import StatusProgress
 from BalloonWorkbench.gui.qt import QtCore
@@ -141,15 +139,3 @@ class Worker(QtCore.QThread):
             self.status.close()
         _sharing.end(self)
         return True
-
-
-class Call:
-    """A function without arguments as a request; when it is stopped, it ends at its next step."""
-
-    def __init__(self, function: Callable):
-        self._function = function
-
-    def solve(self, progress):
-        """What the function returns."""
-        with stoppable(progress):
-            return self._function()

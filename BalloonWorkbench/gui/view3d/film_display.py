@@ -11,7 +11,8 @@ from BalloonWorkbench.app.engine import film_result, maker
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.film.film import Look
 from BalloonWorkbench.core.results.colour_map import TENSION
-from BalloonWorkbench.gui.long_work.worker import Call, Worker
+from BalloonWorkbench.gui.long_work.call import Call
+from BalloonWorkbench.gui.long_work.worker import Worker
 from BalloonWorkbench.gui.view3d.film_look import FilmLook
 from BalloonWorkbench.gui.view3d.film_map import map_nodes
 from BalloonWorkbench.gui.view3d.legend_row import OFF

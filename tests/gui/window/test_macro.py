@@ -119,7 +119,6 @@ def test_edit_records_what_changed(opened, macro, tmp_path):
     before = f"""
 sys.path.append({str(Path(sketches.__file__).parent)!r})
 import sketches
-from flat_hands import open_tab
 from BalloonWorkbench.app.document import create
 plate = sketches.rectangle(App.ActiveDocument, 90, 60)
 create.balloon_from_sketch(App.ActiveDocument, plate, mesh_size=10, correct=False)

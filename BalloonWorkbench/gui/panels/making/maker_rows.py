@@ -12,7 +12,8 @@ from BalloonWorkbench.app.properties.quantities import cubic_millimetres
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.making.safety import WELD
 from BalloonWorkbench.core.units import area_text, mass_text, money_text, number_text, to_mm
-from BalloonWorkbench.gui.long_work.worker import Call, Worker
+from BalloonWorkbench.gui.long_work.call import Call
+from BalloonWorkbench.gui.long_work.worker import Worker
 from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel, fit_heights
 from BalloonWorkbench.gui.qt import QtCore, translate
 from BalloonWorkbench.gui.window.sentences import translated
