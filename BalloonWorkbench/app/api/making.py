@@ -93,10 +93,10 @@ def arrange(pattern_obj, piece=None, at=(0.0, 0.0), angle=0.0, mirrored=False) -
 
 
 @bordered
-def print_pieces(obj, path, paper: str = "A4") -> Path:
+def print_pieces(obj, path, paper: str = "A4", artwork=None) -> Path:
     """Write the flat pieces as they lie in the pattern view to a PDF, in real size on pages of "A4", "A3" or
-    "Letter"; returns the file. Raises ExportError."""
-    return Path(path) if done else writer.print_pieces(obj, path, paper)
+    "Letter", with what an artwork prints on them; returns the file. Raises ExportError."""
+    return Path(path) if done else writer.print_pieces(obj, path, paper, artwork)
 
 
 @bordered

@@ -164,23 +164,26 @@ def _files(name: str, part, made_for, how: tuple, doubts) -> dict[str, bytes]:
     }
 
 
-def print_pieces(obj, target, paper: str) -> Path:
+def print_pieces(obj, target, paper: str, artwork=None) -> Path:
     """Write the flat pieces of a pattern as they lie in the pattern view, in real size on pages of "A4", "A3"
-    or "Letter", to a PDF; returns the file. Of a sheet of film they lie as it has them.
+    or "Letter", to a PDF, with what an artwork of it prints on them; returns the file. Of a sheet of film
+    they lie as it has them.
 
     Raises ExportError for an object that is not up to date, a place that cannot be written.
     """
     from BalloonWorkbench.app.border import hooks
+    from BalloonWorkbench.app.engine import piece_pictures
     from BalloonWorkbench.app.shapes import piece_places
-    from BalloonWorkbench.core.arrangement.arrangement import as_one
     from BalloonWorkbench.core.files.write import write_files
-    from BalloonWorkbench.core.machines.machine import machine
-    from BalloonWorkbench.core.machines.machine_file import machine_file
+    from BalloonWorkbench.core.machines.piece_pages import paper_pdf
 
-    path, pattern, made_for = Path(target), as_one(piece_places.laid(obj).pieces), machine("paper")
+    path, laid, pictures = Path(target), piece_places.laid(obj), {}
+    if artwork is not None:
+        insist_on_ready(artwork)
+        pictures = piece_pictures.of_print(artwork, laid.base, piece_pictures.PAPER)
 
     def content(_progress) -> bytes:
-        return machine_file(pattern, made_for, paper, hooks.say)
+        return paper_pdf(laid, pictures, paper, hooks.say)
 
     write_files(path.parent, {path.name: hooks.run_blocking(f"Writing {path.name}", content)})
     return path

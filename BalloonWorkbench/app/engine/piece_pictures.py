@@ -6,8 +6,8 @@ from __future__ import annotations
 from BalloonWorkbench.app.engine import film_result
 from BalloonWorkbench.app.engine.bag_result import has_many_panels
 
-#: Pixels of all prints together, and dots per inch that are enough on a screen.
-_PIXELS, _DPI = 6e6, 60.0
+#: Pixels of all prints together, and dots per inch that are enough: on a screen, on paper.
+SCREEN, PAPER = (6e6, 60.0), (4e7, 300.0)
 
 
 def of_shares(pattern, pieces, shares) -> dict:
@@ -34,14 +34,15 @@ def of_shares(pattern, pieces, shares) -> dict:
     }
 
 
-def of_print(artwork, pieces) -> dict:
-    """The FlatPicture on each piece by its number of what an artwork prints; raises what `printing` does."""
+def of_print(artwork, pieces, enough=SCREEN) -> dict:
+    """The FlatPicture on each piece by its number of what an artwork prints, as fine as SCREEN or PAPER need;
+    raises what `printing` does."""
     from BalloonWorkbench.app import artwork as prints
     from BalloonWorkbench.app.border import hooks
 
     pattern = artwork.Pattern
     size = sum(piece.pattern.size[0] * piece.pattern.size[1] for piece in pieces.pieces)
-    make = prints.printing(artwork, _dpi(artwork.Resolution, size))
+    make = prints.printing(artwork, _dpi(artwork.Resolution, size, *enough))
     front, back = hooks.run_blocking(f"Drawing {artwork.Label}", lambda progress: make())
     if not has_many_panels(pattern.Balloon):
         shift = _back_shift(pattern, pieces)
@@ -61,11 +62,11 @@ def _bag_patterns(pattern):
     return bag_patterns(pattern)
 
 
-def _dpi(resolution: float, area: float) -> float:
-    """Dots per inch with which films of that area [m2] have no more pixels than can be drawn quickly."""
+def _dpi(resolution: float, area: float, pixels: float, enough: float) -> float:
+    """Dots per inch with which films of that area [m2] have no more pixels than that."""
     from BalloonWorkbench.core.units import INCH
 
-    return max(20.0, min(resolution, _DPI, INCH * (_PIXELS / area) ** 0.5))
+    return max(20.0, min(resolution, enough, INCH * (pixels / area) ** 0.5))
 
 
 def _back_shift(pattern, pieces):

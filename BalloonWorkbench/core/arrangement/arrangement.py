@@ -133,6 +133,12 @@ def laid_at(pieces: PatternPieces, places: Sequence[PiecePlace]) -> PatternPiece
     )
 
 
+def places_of(laid: LaidPieces, number: int, points: Floats) -> Floats:
+    """Where points (n, 2) m of a piece, as the pattern lays it, come to lie."""
+    piece = laid.base.pieces[number]
+    return _PieceMove(np.array(_middle(piece)), laid.places[number]).points(points)
+
+
 def as_one(pieces: PatternPieces) -> Pattern:
     """All that is drawn on pieces as one pattern, whatever film they are of: for paper."""
     contours = [replace(contour, stock="") for piece in pieces.pieces for contour in piece.pattern.contours]

@@ -56,11 +56,14 @@ class Toolpaths:
     Of a machine that reads G-code it is the corner of the film that panels are laid out on, else of the
     pattern with some room, whatever tool it holds: what is welded and what is cut afterwards lie on each
     other.
+
+    corner  where the origin is in the pattern [mm]
     """
 
     paths: tuple[Path, ...]
     width: float
     height: float
+    corner: tuple[float, float] = (0.0, 0.0)
 
     @property
     def roles(self) -> tuple[Role, ...]:
@@ -106,7 +109,8 @@ def draw(pattern: Pattern, machine: Machine) -> Toolpaths:
     else:
         low, high = (to_mm(corner) for corner in reach(pattern, machine))
     width, height = (high - low).tolist()
-    return Toolpaths(tuple(replace(path, curve=path.curve.moved(-low)) for path in paths), width, height)
+    moved = tuple(replace(path, curve=path.curve.moved(-low)) for path in paths)
+    return Toolpaths(moved, width, height, (float(low[0]), float(low[1])))
 
 
 def _in_order(pattern: Pattern, machine: Machine) -> list[Path]:

@@ -7,6 +7,8 @@ import io
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
+import numpy as np
+
 from BalloonWorkbench.core.packages import matplotlib_pdf
 from BalloonWorkbench.core.pages.fonts import Fonts
 from BalloonWorkbench.core.types import Floats
@@ -139,19 +141,34 @@ def picture(axes: Any, pixels: Any, box: tuple[float, float, float, float]) -> N
 
     Just there: imshow would round the box to whole points.
     """
-    from matplotlib.artist import Artist
+    left, bottom, right, top = box
+    corners = np.array([(left, bottom), (right, bottom), (left, top)])
+    placed_picture(axes, rgba(pixels), corners)
+
+
+def rgba(pixels: Any) -> Any:
+    """Pixels (h, w, 3 or 4) as `placed_picture` takes them; an array on several pages is stored once."""
     from matplotlib.cm import ScalarMappable
+
+    return ScalarMappable().to_rgba(pixels, bytes=True)
+
+
+def placed_picture(axes: Any, colours: Any, corners: Floats, window: Any = None) -> None:
+    """A picture by the places (3, 2) mm of its lower left, lower right and upper left corner, cut off at a
+    window (a patch)."""
+    from matplotlib.artist import Artist
     from matplotlib.transforms import Affine2D
 
-    left, bottom, right, top = (length / POINT for length in box)
-    colours = ScalarMappable().to_rgba(pixels, bytes=True)
-    place = Affine2D.from_values(right - left, 0.0, 0.0, bottom - top, left, top)
+    low, across, up = (corner / POINT for corner in (corners[0], *(corners[1:] - corners[0])))
+    place = Affine2D.from_values(*across, *-up, *(low + up))
 
     class PlacedPicture(Artist):  # type: ignore[misc]
         """Pixels with their place, which the renderer takes as it is."""
 
         def draw(self, renderer: Any) -> None:
             context = renderer.new_gc()
+            if window is not None:
+                context.set_clip_rectangle(window.get_window_extent(renderer))
             renderer.draw_image(context, 0.0, 0.0, colours, place)
             context.restore()
 

@@ -55,6 +55,12 @@ class PieceLooks(QtCore.QObject):
         self.list.setEnabled(len(offered) > 1)
         self._show()
 
+    @property
+    def artwork(self):
+        """The Artwork object that is shown on the pieces; None where they show something else."""
+        shown = self.list.currentData() == ARTWORK and self._obj is not None
+        return of_balloon(self._obj.Balloon) if shown else None
+
     def forget(self) -> None:
         """The print is another one now."""
         self._shown = ()

@@ -88,7 +88,9 @@ class PatternTab(DocumentTab):
         self.reset.setVisible(is_pattern(self.obj))
         printing = bar.addAction(translate("Print"))
         printing.setObjectName("PrintPieces")
-        printing.setToolTip(translate("Write the pieces as they lie to a PDF, in real size on pages"))
+        printing.setToolTip(
+            translate("Write the pieces as they lie, and the artwork if it is shown, to a PDF in real size")
+        )
         printing.triggered.connect(lambda _checked=False: self._print())
         for action in bar.actions():
             bar.widgetForAction(action).setFocusPolicy(QtCore.Qt.TabFocus)
@@ -106,12 +108,14 @@ class PatternTab(DocumentTab):
             )
             if path is not None:
                 paper = "Letter" if is_imperial() else "A4"
-                print_pieces(self.obj, path, paper)
+                artwork = self.looks.artwork
+                print_pieces(self.obj, path, paper, artwork)
                 macro_recorder.call(
                     "print_pieces",
                     macro_recorder.obj(self.obj),
                     macro_recorder.text(path),
                     macro_recorder.text(paper),
+                    **({} if artwork is None else {"artwork": macro_recorder.obj(artwork)}),
                 )
                 self.say(
                     translate("Written to {}, in real size on {}: print it at 100 %.").format(path, paper)

@@ -7,10 +7,12 @@ import pytest
 from flat_hands import at, key, open_tab, settled
 
 from BalloonWorkbench.app import artwork
+from BalloonWorkbench.app.api import making
 from BalloonWorkbench.app.document import create
 from BalloonWorkbench.app.drawings.qt_picture import pixels
 from BalloonWorkbench.core.results import colour_map
 from BalloonWorkbench.gui.pattern_view import tab as tabs
+from BalloonWorkbench.gui.pattern_view.looks import ARTWORK
 
 Qt = hands.QtCore.Qt
 FOUR = ((220, 0, 0), (0, 180, 0), (0, 0, 220), (230, 220, 0))  # red, green; below them blue, yellow
@@ -124,16 +126,21 @@ def test_many_panels_have_print_and_results(doc, quarters):
     hands.screenshot("pattern-view-wrinkles-of-many")
 
 
-def test_they_go_to_paper_as_they_lie(made, tmp_path, stand_in):
+def test_they_go_to_paper_as_they_lie(made, quarters, tmp_path, stand_in):
     tab = open_tab(made.pattern)
-    files = [tmp_path / "first.pdf", tmp_path / "turned.pdf"]
+    files = [tmp_path / "first.pdf", tmp_path / "turned.pdf", tmp_path / "printed.pdf"]
     for file in files:
+        if file.name == "printed.pdf":
+            making.artwork(made.pattern, picture=str(quarters), resolution=60)
+            hands.wait_until(lambda: tab.looks.list.findData(ARTWORK) > 0)
+            choose(tab, ARTWORK)
         stand_in.setattr(tabs, "ask_where_to_write", lambda *_asked, file=file: str(file))
         buttons = hands.visible(hands.QtWidgets.QToolButton)
         hands.click(next(each for each in buttons if tab.isAncestorOf(each) and each.text() == "Print"))
         hands.wait_until(lambda file=file: file.name in tab.line.text(), 20)
         tab.view.choose(0)
         key(tab, Qt.Key_R, "r")
-    first, turned = (file.read_bytes() for file in files)
+    first, turned, printed = (file.read_bytes() for file in files)
     assert first.startswith(b"%PDF")
     assert first != turned
+    assert [b"/Subtype /Image" in content for content in (first, turned, printed)] == [False, False, True]

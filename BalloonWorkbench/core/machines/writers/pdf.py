@@ -3,19 +3,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from BalloonWorkbench.core.errors import ExportError
-from BalloonWorkbench.core.geometry.polyline import line_lengths, point_on, ring
+from BalloonWorkbench.core.geometry.polyline import bounds, line_lengths, point_on, ring
 from BalloonWorkbench.core.machines.machine import Machine
 from BalloonWorkbench.core.machines.toolpaths import BAR, Toolpaths
 from BalloonWorkbench.core.pages.fonts import Fonts, fonts_for, readable
-from BalloonWorkbench.core.pages.pdf import POINT, draw_line, draw_spot, pdf, write
+from BalloonWorkbench.core.pages.pdf import POINT, draw_line, draw_spot, pdf, placed_picture, rgba, write
 from BalloonWorkbench.core.pattern.pattern import Role
 from BalloonWorkbench.core.types import Floats, Say, in_english
 from BalloonWorkbench.core.units import from_mm, number_text, size_text
@@ -34,6 +35,18 @@ _TITLE = "Pattern on several pages"
 _MOST_PAGES = 400
 _NO_SPOTS: Mapping[Role, str] = {}
 _Line = tuple[Floats, bool, dict[str, Any]]
+
+
+@dataclass(frozen=True)
+class PrintedPicture:
+    """A picture under the lines of a drawing.
+
+    pixels   (h, w, 4), the first row is the upper one
+    corners  (3, 2) mm, where its lower left, lower right and upper left ones are in the drawing
+    """
+
+    pixels: NDArray[np.uint8]
+    corners: Floats
 
 
 @dataclass(frozen=True)
@@ -72,28 +85,36 @@ def show(axes: Any, drawing: Toolpaths, machine: Machine, at: tuple[float, float
     _show(axes, _lines(drawing, machine, {role: line.spot for role, line in machine.layers.items()}), at)
 
 
-def tiled_pdf(drawing: Toolpaths, machine: Machine, paper: str, say: Say = in_english) -> bytes:
+def tiled_pdf(
+    drawing: Toolpaths,
+    machine: Machine,
+    paper: str,
+    say: Say = in_english,
+    pictures: Sequence[PrintedPicture] = (),
+) -> bytes:
     """A map of the pages, then the pages of "A4", "A3" or "Letter" with overlap, crop marks and their place.
 
-    say  gives the texts in the reader's language; English stays where no font has its letters
+    pictures  under the lines
+    say       gives the texts in the reader's language; English stays where no font has its letters
     ExportError for other paper and for far too many pages; MissingPackageError without matplotlib.
     """
-    tiles = divide(drawing, paper)
+    tiles = divide(drawing, paper, pictures)
     say = readable(say, _TITLE)
     fonts, lines = fonts_for(say(_TITLE), ""), _lines(drawing, machine)
+    pictures = [PrintedPicture(rgba(each.pixels), each.corners) for each in pictures]
 
     def page(number: int, place: tuple[int, int], axes: Any) -> None:
-        _page(axes, lines, tiles, place)
+        _page(axes, lines, pictures, tiles, place)
         column, row = place[0] + 1, tiles.rows - place[1]
         where = say(f"Page {number} of {len(tiles.pages)}: column {column}, row {row}")
         write(axes, fonts, (_MARGIN + 10.0, 5.0), where, 9.0, tiles.usable[0] - 20.0)
 
     pages = [partial(page, number, place) for number, place in enumerate(tiles.pages, 1)]
-    first = partial(_map, fonts=fonts, drawing=drawing, lines=lines, tiles=tiles, say=say)
+    first = partial(_map, fonts=fonts, drawing=drawing, lines=lines, pictures=pictures, tiles=tiles, say=say)
     return pdf(say("Balloon pattern"), fonts, [(tiles.paper, draw) for draw in (first, *pages)])
 
 
-def divide(drawing: Toolpaths, paper: str) -> Tiles:
+def divide(drawing: Toolpaths, paper: str, pictures: Sequence[PrintedPicture] = ()) -> Tiles:
     """Upright or across, whichever takes fewer pages."""
     size = PAPERS.get(paper.upper())
     if size is None:
@@ -111,7 +132,11 @@ def divide(drawing: Toolpaths, paper: str) -> Tiles:
             )
         empty = Tiles(sheet, usable, columns, rows, ())
         every = [(column, row) for row in reversed(range(rows)) for column in range(columns)]
-        pages = tuple(place for place in every if _has_lines(drawing, empty, *place))
+        pages = tuple(
+            place
+            for place in every
+            if _has_lines(drawing, empty, *place) or _has_picture(pictures, empty, *place)
+        )
         choices.append(Tiles(sheet, usable, columns, rows, pages))
     return min(choices, key=lambda tiles: len(tiles.pages))
 
@@ -124,6 +149,18 @@ def _has_lines(drawing: Toolpaths, tiles: Tiles, column: int, row: int) -> bool:
         along = line_lengths(points)
         x, y = point_on(points, along, np.linspace(0.0, along[-1], int(along[-1]) + 2)).T  # 1 mm
         if ((x >= low[0]) & (x <= high[0]) & (y >= low[1]) & (y <= high[1])).any():
+            return True
+    return False
+
+
+def _has_picture(pictures: Sequence[PrintedPicture], tiles: Tiles, column: int, row: int) -> bool:
+    """Some of the box around one lies on a page."""
+    low = np.array(tiles.corner(column, row))
+    high = low + tiles.usable
+    for each in pictures:
+        first, right, up = each.corners
+        least, most = bounds(np.array([first, right, up, right + up - first]))
+        if (least < high).all() and (most > low).all():
             return True
     return False
 
@@ -152,13 +189,22 @@ def _show(
             drawn.set(clip_path=window, clip_on=True)
 
 
-def _page(axes: Any, lines: list[_Line], tiles: Tiles, place: tuple[int, int]) -> None:
+def _page(
+    axes: Any,
+    lines: list[_Line],
+    pictures: Sequence[PrintedPicture],
+    tiles: Tiles,
+    place: tuple[int, int],
+) -> None:
     """One page: its part of the drawing, and the marks along which it is cut."""
     from matplotlib.patches import Rectangle
 
     left, bottom = tiles.corner(*place)
     window = Rectangle((_MARGIN, _MARGIN), *tiles.usable, transform=axes.transData)
-    _show(axes, lines, (_MARGIN - left, _MARGIN - bottom), window=window)
+    at = (_MARGIN - left, _MARGIN - bottom)
+    for each in pictures:
+        placed_picture(axes, each.pixels, each.corners + at, window)
+    _show(axes, lines, at, window=window)
     # cut along the marks on two sides and lay the edge on the marks of the neighbour
     for x in (_MARGIN, _MARGIN + tiles.usable[0] - _OVERLAP):
         for y in (_MARGIN, _MARGIN + tiles.usable[1] - _OVERLAP):
@@ -166,7 +212,15 @@ def _page(axes: Any, lines: list[_Line], tiles: Tiles, place: tuple[int, int]) -
                 draw_line(axes, np.array([(x, y), (x, y)]) + np.outer([-1, 1], end), False, lw=0.1 / POINT)
 
 
-def _map(axes: Any, fonts: Fonts, drawing: Toolpaths, lines: list[_Line], tiles: Tiles, say: Say) -> None:
+def _map(
+    axes: Any,
+    fonts: Fonts,
+    drawing: Toolpaths,
+    lines: list[_Line],
+    pictures: Sequence[PrintedPicture],
+    tiles: Tiles,
+    say: Say,
+) -> None:
     """The first page: what goes where, how to join it, and a bar to measure."""
     width, height = tiles.paper
     write(axes, fonts, (_MARGIN, height - 18.0), say(_TITLE), 14.0, tiles.usable[0], bold=True)
@@ -184,6 +238,8 @@ def _map(axes: Any, fonts: Fonts, drawing: Toolpaths, lines: list[_Line], tiles:
     for a, b in (((left, y), (left + BAR, y)), *(((x, y - 2), (x, y + 2)) for x in (left, left + BAR))):
         draw_line(axes, np.array([a, b]), False, lw=_LINE / POINT, capstyle="butt")
     scale = min((width - 2.0 * _MARGIN) / _reach(tiles, 0), (height - 70.0) / _reach(tiles, 1))
+    for each in pictures:
+        placed_picture(axes, each.pixels, scale * each.corners + _MARGIN)
     _show(axes, lines, (_MARGIN, _MARGIN), scale)
     for number, place in enumerate(tiles.pages, 1):
         corner = _MARGIN + scale * np.array(tiles.corner(*place))
