@@ -6,11 +6,14 @@ import re
 import hands
 
 from BalloonWorkbench.gui.panels.widgets.narrow import ElidedCombo
+from BalloonWorkbench.gui.panels.widgets.wrapping import CheckBox, PictureButton, PushButton
 
 QtCore, QtGui, QtWidgets = hands.QtCore, hands.QtGui, hands.QtWidgets
 
+WRAPPING = (CheckBox, PushButton, PictureButton)
 _SLACK = 2  # px
 _READ = 0.8  # of the entry of a choice that shows an ellipsis in place of its end
+_LONGER = 1.4  # times, than it is in any language: what pseudo.py adds to a text, at its end
 _QTS_OWN = ("qt_dockwidget_floatbutton", "qt_dockwidget_closebutton", "ScrollLeftButton", "ScrollRightButton")
 
 
@@ -58,12 +61,14 @@ def _narrow_button(button):
     own = button.metaObject().className().startswith("Gui::") or button.objectName() in _QTS_OWN
     if needed > button.width() + _SLACK and not own:
         yield f"{_name(button)} is cut off: {button.width()} px of {needed}"
+    if isinstance(button, WRAPPING) and button.sizeHint().height() > button.height() + _SLACK:
+        yield f"{_name(button)} is too low: {button.height()} px of {button.sizeHint().height()}"
 
 
 def _narrow_combo(combo):
     needed = combo.fontMetrics().boundingRect(combo.currentText()).width() + 24
     if isinstance(combo, ElidedCombo):
-        needed *= _READ
+        needed *= _READ / _longer(combo.currentText())
     if needed > combo.width() + _SLACK:
         yield f"{_name(combo)} {combo.currentText()!r} is cut off: {combo.width()} px of {needed}"
 
@@ -78,8 +83,14 @@ def _low_list(rows):
 
 def _narrow_field(field):
     needed = field.fontMetrics().boundingRect(field.text() or field.placeholderText()).width() + 6
+    if not field.text():  # Qt shows an ellipsis in place of the end of a hint
+        needed /= _longer(field.placeholderText())
     if needed > field.width() + _SLACK:
         yield f"{_name(field)} is cut off: {field.width()} px of {needed}"
+
+
+def _longer(text):
+    return _LONGER if text.startswith("[") and text.endswith("]") else 1.0
 
 
 def _address(widget):
@@ -112,7 +123,9 @@ _NARROW = {
 
 
 def _outside(widget, areas):
-    """Sideways out of what scrolls."""
+    """Sideways out of what scrolls. FreeCAD's frames are as wide as their title: what is in them counts."""
+    if widget.metaObject().className().startswith("Gui::TaskView::"):
+        return
     for area in areas:
         port = area.viewport()
         if not port.isAncestorOf(widget):

@@ -45,6 +45,10 @@ class _Translator(QtCore.QTranslator):
         super().__init__()
         self._known = {key: pseudo(key[1]) for key in _texts()}
 
+    def isEmpty(self):  # noqa: N802 - Qt's
+        """Qt takes no empty one."""
+        return False
+
     def translate(self, context, source, _disambiguation=None, _number=-1):
         return self._known.get((context, source))
 

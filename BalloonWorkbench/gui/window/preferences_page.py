@@ -7,6 +7,8 @@ from BalloonWorkbench.app.border.guard import Guarded
 from BalloonWorkbench.app.properties import preferences
 from BalloonWorkbench.gui.accessible import name_field, sign_button
 from BalloonWorkbench.gui.panels.widgets.fields import UNITS, new_quantity_box
+from BalloonWorkbench.gui.panels.widgets.narrow import NarrowCombo
+from BalloonWorkbench.gui.panels.widgets.wrapping import CheckBox
 from BalloonWorkbench.gui.qt import QtWidgets, translate
 from BalloonWorkbench.gui.window.sentences import translated
 
@@ -81,11 +83,11 @@ class PreferencesPage(Guarded):
             field.setProperty("unit", UNITS[item.prop.type][0])
             field.setProperty("minimum", 0.0)
         elif preferences.choices(key):
-            field = QtWidgets.QComboBox()
+            field = NarrowCombo()
             for choice in preferences.choices(key):
                 field.addItem(_title(key, choice), choice)
         elif isinstance(item.default, bool):
-            field = QtWidgets.QCheckBox(label)
+            field = CheckBox(label)
         else:
             field = QtWidgets.QLineEdit()
             field.setPlaceholderText(translate("Beside the document"))

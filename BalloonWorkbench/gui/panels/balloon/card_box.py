@@ -8,6 +8,7 @@ import FreeCADGui as Gui
 from BalloonWorkbench.app.host import material_tree
 from BalloonWorkbench.app.properties import material
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.gui.panels.widgets.narrow import ElidedCombo
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 
 
@@ -68,7 +69,7 @@ class CardBox(QtWidgets.QWidget):
         self.changed.emit()
 
 
-class _CardList(QtWidgets.QComboBox):
+class _CardList(ElidedCombo):
     """Looks for cards when it is used: a panel opens without reading them."""
 
     def __init__(self):

@@ -10,6 +10,7 @@ from BalloonWorkbench.gui.panels.widgets.drawing_preview import Preview, notes_o
 from BalloonWorkbench.gui.panels.widgets.file_page import FilePage
 from BalloonWorkbench.gui.panels.widgets.file_row import FileRow
 from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel
+from BalloonWorkbench.gui.panels.widgets.wrapping import PushButton
 from BalloonWorkbench.gui.qt import QtWidgets, translate
 from BalloonWorkbench.gui.window import file_dialogs as choose
 
@@ -26,7 +27,7 @@ class FileBox(FilePage):
         )
         super().__init__(outline, file, "Drawing", set_drawing)
         self.preview = Preview()
-        self.nodes = QtWidgets.QPushButton(translate("Edit outline ..."))
+        self.nodes = PushButton(translate("Edit outline ..."))
         self.nodes.setObjectName("EditNodes")
         self.nodes.setToolTip(
             translate("Move, add and remove nodes of the outline in a tab, over the picture")

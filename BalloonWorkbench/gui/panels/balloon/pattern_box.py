@@ -12,6 +12,7 @@ from BalloonWorkbench.app.shapes.pattern_shape import PLACE
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.gui.panels.widgets.fields import PropertyPage
 from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel
+from BalloonWorkbench.gui.panels.widgets.wrapping import PushButton
 from BalloonWorkbench.gui.qt import QtWidgets, translate
 from BalloonWorkbench.gui.view3d.intake_handle import IntakeHandle
 from BalloonWorkbench.gui.window.sentences import translated
@@ -27,7 +28,7 @@ class PatternBox(PropertyPage):
         self.note, self.advice = WrappedLabel(), WrappedLabel()
         self.note.setObjectName("HowToFill")
         self.advice.setObjectName("PatternAdvice")
-        self.drag = QtWidgets.QPushButton(translate("Drag in the view"))
+        self.drag = PushButton(translate("Drag in the view"))
         self.drag.setObjectName("DragIntake")
         self.drag.setCheckable(True)
         self.drag.setToolTip(translate("While this is pressed, the ring in the 3D view moves the intake"))
@@ -46,7 +47,7 @@ class PatternBox(PropertyPage):
             if group == "Intake":
                 form.addRow(self.drag)
                 form.addRow(self.advice)
-        self.sketch = QtWidgets.QPushButton(translate("Make a sketch of the cuts"))
+        self.sketch = PushButton(translate("Make a sketch of the cuts"))
         self.sketch.setObjectName("MakeSketch")
         self.sketch.setToolTip(translate("A new Sketcher sketch of lines and arcs, to go on with in FreeCAD"))
         form.addRow(self.sketch)

@@ -17,6 +17,7 @@ from BalloonWorkbench.gui.panels.balloon.body_rows import BodyRows, quick_rows
 from BalloonWorkbench.gui.panels.making.maker_rows import MakerRows, value_label
 from BalloonWorkbench.gui.panels.widgets.fields import Fields
 from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel
+from BalloonWorkbench.gui.panels.widgets.wrapping import PushButton
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon, translate
 from BalloonWorkbench.gui.window.sentences import translated
 from BalloonWorkbench.gui.window.user_units import (
@@ -55,7 +56,7 @@ class ResultBox(QtWidgets.QWidget):
         self.setObjectName("Result")
         self.setWindowTitle(translate("Result"))
         self.setWindowIcon(drawn_icon("pattern"))
-        self._apply = QtWidgets.QPushButton(translate("Apply"))
+        self._apply = PushButton(translate("Apply"))
         self._apply.setObjectName("Apply")
         self._apply.setToolTip(translate("Inflate with these values and show the balloon"))
         self._apply.clicked.connect(lambda _checked=False: self.requested.emit())
@@ -65,7 +66,7 @@ class ResultBox(QtWidgets.QWidget):
         self._bar.setObjectName("Progress")
         self._bar.setRange(0, 1000)
         self._step = QtWidgets.QLabel()
-        self._stop = QtWidgets.QPushButton(translate("Stop"))
+        self._stop = PushButton(translate("Stop"))
         self._stop.setObjectName("Stop")
         self._stop.setToolTip(translate("Stop and keep the last result"))
         self._stop.clicked.connect(lambda _checked=False: self.stopped.emit())

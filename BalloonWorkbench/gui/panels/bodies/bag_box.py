@@ -10,7 +10,8 @@ from BalloonWorkbench.gui.panels.bodies.seam_editor import SeamEditor
 from BalloonWorkbench.gui.panels.widgets.file_page import FilePage
 from BalloonWorkbench.gui.panels.widgets.file_row import FileRow
 from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel
-from BalloonWorkbench.gui.qt import QtWidgets, translate
+from BalloonWorkbench.gui.panels.widgets.wrapping import PushButton
+from BalloonWorkbench.gui.qt import translate
 from BalloonWorkbench.gui.window import file_dialogs
 from BalloonWorkbench.gui.window.selection import selected_panels
 from BalloonWorkbench.gui.window.sentences import translated
@@ -32,7 +33,7 @@ class BagBox(FilePage):
         self.panels, self.notes = WrappedLabel(), WrappedLabel()
         self.panels.setObjectName("PanelSources")
         self.notes.setObjectName("BagNotes")
-        self.take = QtWidgets.QPushButton(translate("Take what is selected"))
+        self.take = PushButton(translate("Take what is selected"))
         self.take.setObjectName("TakePanels")
         self.take.setToolTip(translate("The selected sketches, wires and flat faces become the panels"))
         parts = parts_of(bag_obj)

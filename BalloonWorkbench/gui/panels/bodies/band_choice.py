@@ -18,6 +18,7 @@ from BalloonWorkbench.gui.long_work.worker import Worker
 from BalloonWorkbench.gui.panels.bodies.band_sketch import BandComparison, Sketched, picture_of, usual_band
 from BalloonWorkbench.gui.panels.widgets.fields import PropertyForm
 from BalloonWorkbench.gui.panels.widgets.narrow import fit_heights
+from BalloonWorkbench.gui.panels.widgets.wrapping import PictureButton
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, translate
 from BalloonWorkbench.gui.view3d.film_display import look_of
 from BalloonWorkbench.gui.window.user_units import length_text
@@ -120,14 +121,11 @@ class BandChoice(QtCore.QObject):
 
 
 def _button(name: str, title: str):
-    button = QtWidgets.QToolButton()
+    button = PictureButton(title)
     button.setObjectName(name)
     button.setCheckable(True)
-    button.setText(title)
     button.setStyleSheet(_CHOSEN)
-    button.setToolButtonStyle(QtCore.Qt.ToolButtonTextUnderIcon)
     button.setIconSize(QtCore.QSize(_WIDTH, _HEIGHT))
-    button.setSizePolicy(QtWidgets.QSizePolicy.Expanding, QtWidgets.QSizePolicy.Fixed)
     return button
 
 

@@ -25,11 +25,10 @@ from BalloonWorkbench.gui.bodies.picked_edits import cut_edit, merge_edit, move_
 from BalloonWorkbench.gui.bodies.seam_mouse import SeamMouse, SeamTool
 from BalloonWorkbench.gui.panels.widgets.fields import ReturnKey
 from BalloonWorkbench.gui.panels.widgets.narrow import FullList, WrappedLabel
+from BalloonWorkbench.gui.panels.widgets.wrapping import CheckBox, PushButton
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.window.sentences import translated
 from BalloonWorkbench.gui.window.user_units import length_text
-
-_HIGHEST = 1_000_000  # px: the panel scrolls, not what is in it
 
 
 class BodySeams(QtWidgets.QWidget):
@@ -44,9 +43,9 @@ class BodySeams(QtWidgets.QWidget):
         self._objection = ""  # why the last change was not made
         self._surface: BodySurface | None = None
         self.tools = {tool: QtWidgets.QToolButton() for tool in SeamTool}
-        self.hint, self.list = WrappedLabel(), _SeamRows(_HIGHEST)
-        self.mirrored = QtWidgets.QCheckBox(translate("Also on the other side"))
-        self.places, self.back = QtWidgets.QLineEdit(), QtWidgets.QPushButton(translate("Take back"))
+        self.hint, self.list = WrappedLabel(), _SeamRows()
+        self.mirrored = CheckBox(translate("Also on the other side"))
+        self.places, self.back = QtWidgets.QLineEdit(), PushButton(translate("Take back"))
         self._build()
 
     def _build(self) -> None:

@@ -16,6 +16,7 @@ from BalloonWorkbench.core.units import number_text, percent_text, to_mm
 from BalloonWorkbench.gui.long_work.worker import Worker
 from BalloonWorkbench.gui.panels.bodies.curve_plot import CurvePlot
 from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel
+from BalloonWorkbench.gui.panels.widgets.wrapping import PushButton
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.window.sentences import translated
 from BalloonWorkbench.gui.window.user_units import length_text
@@ -61,7 +62,7 @@ class PanelCurveBox(QtWidgets.QWidget):
         self._points: tuple[CurvePoint, ...] = ()
         self._body: tuple[Any, Any] | None = None  # as it was read, once the curve was asked for
         self._waiting = False  # for an accuracy that was asked for
-        self.look = QtWidgets.QPushButton(translate("Few panels or true to shape?"))
+        self.look = PushButton(translate("Few panels or true to shape?"))
         self.plot, self.slider = CurvePlot(), QtWidgets.QSlider(QtCore.Qt.Horizontal)
         self.chosen_text, self.within = WrappedLabel(), QtWidgets.QDoubleSpinBox()
         self._soon = QtCore.QTimer(self)

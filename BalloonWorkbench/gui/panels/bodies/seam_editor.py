@@ -13,6 +13,7 @@ from BalloonWorkbench.gui.bags.flat_view import FlatView
 from BalloonWorkbench.gui.bags.seam_list import SeamList
 from BalloonWorkbench.gui.bags.seam_marks import SeamMarks
 from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel
+from BalloonWorkbench.gui.panels.widgets.wrapping import PushButton
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.window.selection import SelectionWatch
 
@@ -32,13 +33,13 @@ class SeamEditor(QtWidgets.QWidget):
         self._marks = SeamMarks(bag_obj, balloon)
         self.flat, self.list, self.hint = FlatView(), SeamList(), WrappedLabel()
         self.hint.setObjectName("SeamHint")
-        self.opening = QtWidgets.QPushButton(translate("Set the opening"))
+        self.opening = PushButton(translate("Set the opening"))
         self.opening.setObjectName("PickOpening")
         self.opening.setCheckable(True)
         self.opening.setToolTip(
             translate("While this is pressed, the edge that you pick is where it is filled")
         )
-        self.remove = QtWidgets.QPushButton(translate("Take seam apart"))
+        self.remove = PushButton(translate("Take seam apart"))
         self.remove.setObjectName("RemoveSeam")
         self.remove.setToolTip(translate("The edges of the chosen seam are free again"))
         column = QtWidgets.QVBoxLayout(self)

@@ -20,6 +20,7 @@ from BalloonWorkbench.gui.panels import show
 from BalloonWorkbench.gui.panels.widgets.fields import PropertyForm
 from BalloonWorkbench.gui.panels.widgets.narrow import Message, NarrowCombo
 from BalloonWorkbench.gui.panels.widgets.object_panel import ObjectPanel
+from BalloonWorkbench.gui.panels.widgets.wrapping import PushButton
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.view3d.fit_view import fit_kept
 from BalloonWorkbench.gui.window import macro_recorder
@@ -43,7 +44,7 @@ class ArtworkPanel(ObjectPanel):
         self.files: dict[str, str] = {}  # pictures that were chosen, as Python text
         self.front = PictureRow("Picture", translate("That of the outline"))
         self.back = PictureRow("BackPicture", translate("That of the front"))
-        self.write = QtWidgets.QPushButton(translate("Write files…"))
+        self.write = PushButton(translate("Write files…"))
         self.write.setObjectName("WriteArtwork")
         self.write.setToolTip(
             translate("Front and back as PNG and PDF, and as DXF and SVG with the same marks for the cutter")

@@ -25,12 +25,11 @@ from BalloonWorkbench.gui.accessible import sign_button
 from BalloonWorkbench.gui.panels.making.tab_row import TabRow
 from BalloonWorkbench.gui.panels.widgets.fields import ReturnKey
 from BalloonWorkbench.gui.panels.widgets.narrow import FullList, NarrowCombo, WrappedLabel
+from BalloonWorkbench.gui.panels.widgets.wrapping import CheckBox, PushButton
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.view3d.marks import PlaceMarks
 from BalloonWorkbench.gui.window.sentences import translated
 from BalloonWorkbench.gui.window.user_units import bed_size_text, user_unit
-
-_HIGHEST = 160  # px, of the list of findings
 
 
 class MachineBox(QtWidgets.QWidget):
@@ -63,7 +62,7 @@ class MachineBox(QtWidgets.QWidget):
         self.pages.addItems([translate("One large page"), *TILES])
         self.note = WrappedLabel()
         self.note.setObjectName("MachineNote")
-        self.list = FullList(_HIGHEST)
+        self.list = FullList()
         self.list.setObjectName("Preflight")
         self.list.setAccessibleName(translate("Before it is written"))
         self.bed = QtWidgets.QLineEdit()
@@ -111,7 +110,7 @@ class MachineBox(QtWidgets.QWidget):
 
     def _ways_on(self):
         """What may be done about a pattern that is larger than the bed."""
-        self.scale = QtWidgets.QPushButton(translate("Scale to fit"))
+        self.scale = PushButton(translate("Scale to fit"))
         self.scale.setObjectName("ScaleToFit")
         self.scale.setToolTip(
             translate(
@@ -119,10 +118,10 @@ class MachineBox(QtWidgets.QWidget):
                 " allowance keep their widths; one undo takes it back"
             )
         )
-        self.write = QtWidgets.QCheckBox(translate("Write anyway"))
+        self.write = CheckBox(translate("Write anyway"))
         self.write.setObjectName("WriteAnyway")
         self.write.setToolTip(translate("Write the file although it is larger than the bed"))
-        self.split = QtWidgets.QCheckBox(translate("Split over beds"))
+        self.split = CheckBox(translate("Split over beds"))
         self.split.setObjectName("SplitOverBeds")
         self.split.setToolTip(
             translate(

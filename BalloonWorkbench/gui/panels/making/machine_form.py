@@ -17,6 +17,7 @@ from BalloonWorkbench.core.machines.own.keep import copied
 from BalloonWorkbench.core.units import LENGTH_UNITS
 from BalloonWorkbench.gui.panels.widgets.fields import ReturnKey
 from BalloonWorkbench.gui.panels.widgets.narrow import NarrowCombo, NarrowForm
+from BalloonWorkbench.gui.panels.widgets.wrapping import CheckBox
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.window.sentences import translated
 from BalloonWorkbench.gui.window.user_units import bed_size_text, user_unit
@@ -83,7 +84,7 @@ class MachineForm(QtWidgets.QWidget):
                 field.addItem(translated(title), value)
             field.activated.connect(lambda _index: self._take(entry, field.currentData()))
         elif entry.key == "control_bar":
-            field = QtWidgets.QCheckBox(translate(entry.label))
+            field = CheckBox(translate(entry.label))
             field.clicked.connect(lambda checked: self._take(entry, checked))
         else:
             field = QtWidgets.QLineEdit()

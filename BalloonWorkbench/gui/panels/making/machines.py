@@ -21,6 +21,7 @@ from BalloonWorkbench.core.machines.own.keep import (
 )
 from BalloonWorkbench.gui.panels.making.machine_form import MachineForm
 from BalloonWorkbench.gui.panels.widgets.narrow import Message, NarrowCombo, WrappedLabel
+from BalloonWorkbench.gui.panels.widgets.wrapping import CheckBox, PushButton
 from BalloonWorkbench.gui.qt import QtGui, QtWidgets, icon, translate
 from BalloonWorkbench.gui.window.borders import TaskPanel
 from BalloonWorkbench.gui.window.sentences import translated
@@ -61,7 +62,7 @@ class MachinesPanel(TaskPanel):
         self.note, self.message, self.question = WrappedLabel(), Message("Message"), WrappedLabel()
         self.note.setObjectName("MachineNote")
         self.values = MachineForm()
-        self.begins = QtWidgets.QCheckBox(translate("Export begins with it"))
+        self.begins = CheckBox(translate("Export begins with it"))
         self.begins.setObjectName("ExportBegins")
         self.begins.setToolTip(translate("Export pattern begins with this machine; it is a preference"))
         column = QtWidgets.QVBoxLayout(self.form)
@@ -81,7 +82,7 @@ class MachinesPanel(TaskPanel):
         return next(each for each in self.drafts if each.name == name and not each.problem)
 
     def _buttons(self):
-        copy, self.delete = (QtWidgets.QPushButton(text) for text in (translate("Copy"), translate("Delete")))
+        copy, self.delete = (PushButton(text) for text in (translate("Copy"), translate("Delete")))
         copy.setObjectName("CopyMachine")
         copy.setToolTip(translate("Make a machine of your own with the values of this one"))
         self.delete.setObjectName("DeleteMachine")
@@ -95,7 +96,7 @@ class MachinesPanel(TaskPanel):
     def _asking(self):
         """What is asked before a machine goes."""
         self.asking = QtWidgets.QWidget()
-        yes, no = (QtWidgets.QPushButton(text) for text in (translate("Delete it"), translate("Keep it")))
+        yes, no = (PushButton(text) for text in (translate("Delete it"), translate("Keep it")))
         yes.setObjectName("DeleteSurely")
         no.setObjectName("DeleteNot")
         yes.clicked.connect(lambda _checked=False: self._delete())

@@ -21,6 +21,7 @@ from BalloonWorkbench.gui.panels.widgets.fields import PropertyForm
 from BalloonWorkbench.gui.panels.widgets.file_row import FileRow
 from BalloonWorkbench.gui.panels.widgets.narrow import FullList, Message, WrappedLabel
 from BalloonWorkbench.gui.panels.widgets.object_panel import ObjectPanel
+from BalloonWorkbench.gui.panels.widgets.wrapping import PushButton
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.view3d.fit_view import fit_all
 from BalloonWorkbench.gui.window import macro_recorder
@@ -55,10 +56,10 @@ class NestPanel(ObjectPanel):
             self.choice.addItem(entry)
         self.choice.fit()
         self.sheet_number = self.fields.whole("Shown", 1, MOST_BALLOONS)
-        self.apply = QtWidgets.QPushButton(translate("Lay out"))
+        self.apply = PushButton(translate("Lay out"))
         self.apply.setObjectName("LayOut")
         self.apply.setToolTip(translate("Look for the closest layout; Esc takes the best one so far"))
-        self.left = QtWidgets.QPushButton(translate("Keep what is left..."))
+        self.left = PushButton(translate("Keep what is left..."))
         self.left.setObjectName("KeepRemnant")
         self.left.setToolTip(translate("Write what is left of the film to a file, for another layout"))
         self.result = WrappedLabel()

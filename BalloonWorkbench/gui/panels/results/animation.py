@@ -13,6 +13,7 @@ from BalloonWorkbench.gui.long_work.worker import Worker
 from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel
 from BalloonWorkbench.gui.panels.widgets.target_file import name_of
 from BalloonWorkbench.gui.panels.widgets.watch import Watch
+from BalloonWorkbench.gui.panels.widgets.wrapping import PushButton
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon, number_of, translate
 from BalloonWorkbench.gui.view3d.inflation_player import FRAMES, Player, request_of
 from BalloonWorkbench.gui.window import macro_recorder
@@ -41,7 +42,7 @@ class AnimationPanel(TaskPanel):
         self.bar = QtWidgets.QProgressBar()
         self.bar.setObjectName("AnimationProgress")
         self.bar.setRange(0, 1000)
-        self.play = QtWidgets.QPushButton()
+        self.play = PushButton()
         self.play.setObjectName("Play")
         self.play.setCheckable(True)
         self.play.setToolTip(translate("Play the inflation, or stop at a frame"))
@@ -55,7 +56,7 @@ class AnimationPanel(TaskPanel):
             translate("Frames are even in movement, not in time. Only the film has mass, the gas has none.")
         )
         self.note.setWordWrap(True)
-        self.save = QtWidgets.QPushButton(translate("Save as GIF or MP4"))
+        self.save = PushButton(translate("Save as GIF or MP4"))
         self.save.setObjectName("SaveAnimation")
         self.save.setToolTip(translate("Write these frames as a moving picture, with the artwork, on white"))
         self.message = WrappedLabel()

@@ -20,6 +20,7 @@ from BalloonWorkbench.gui.panels.results.photo_marks import PictureWindow
 from BalloonWorkbench.gui.panels.widgets.file_row import FileRow
 from BalloonWorkbench.gui.panels.widgets.narrow import NarrowForm, WrappedLabel
 from BalloonWorkbench.gui.panels.widgets.watch import Watch
+from BalloonWorkbench.gui.panels.widgets.wrapping import CheckBox, PushButton
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, number_of, translate
 from BalloonWorkbench.gui.window import file_dialogs, macro_recorder
 from BalloonWorkbench.gui.window.borders import TaskPanel
@@ -67,7 +68,7 @@ class ComparisonPanel(TaskPanel):
             translate("Straight from the front, from far away, on a plain background of another colour"),
             file_dialogs.ask_for_picture,
         )
-        self.mark = QtWidgets.QPushButton(translate("Mark a length…"))
+        self.mark = PushButton(translate("Mark a length…"))
         self.mark.setToolTip(
             translate("Click both ends of a ruler in the picture, or of another known length")
         )
@@ -82,13 +83,13 @@ class ComparisonPanel(TaskPanel):
                 " folded back"
             )
         )
-        self.unknown = QtWidgets.QCheckBox(translate("Size unknown"))
+        self.unknown = CheckBox(translate("Size unknown"))
         self.unknown.setToolTip(translate("Only the shape is compared, at the size that fits best"))
-        self.fit = QtWidgets.QCheckBox(translate("Fit the film, too"))
+        self.fit = CheckBox(translate("Fit the film, too"))
         self.fit.setToolTip(
             translate("Find how much the film stretched, and how far the weld draws the seam inward")
         )
-        self.start = QtWidgets.QPushButton(translate("Compare"))
+        self.start = PushButton(translate("Compare"))
         names = {"MarkLength": self.mark, "PhotoPixels": self.pixels, "PhotoLength": self.length}
         names |= {"PhotoRim": self.rim, "SizeUnknown": self.unknown, "FitFilm": self.fit}
         for name, widget in (names | {"Compare": self.start}).items():
@@ -105,13 +106,13 @@ class ComparisonPanel(TaskPanel):
         self.message.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
         self.picture = _Thumbnail()
         self.picture.pressed.connect(self._enlarge)
-        self.save = QtWidgets.QPushButton(translate("Save files…"))
+        self.save = PushButton(translate("Save files…"))
         self.save.setToolTip(translate("The picture, and all figures as JSON"))
-        self.keep = QtWidgets.QPushButton(translate("Keep the film"))
+        self.keep = PushButton(translate("Keep the film"))
         self.keep.setToolTip(
             translate("A film of your own beside the balloon's, with what was found; it changes no pattern")
         )
-        self.replace = QtWidgets.QCheckBox(translate("Forget earlier photographs"))
+        self.replace = CheckBox(translate("Forget earlier photographs"))
         self.replace.setToolTip(
             translate("A film of this name is there already: else it gets the mean of all")
         )

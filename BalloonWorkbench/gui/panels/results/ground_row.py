@@ -6,6 +6,7 @@ from __future__ import annotations
 from BalloonWorkbench.core.options.making import TRANSPARENT
 from BalloonWorkbench.gui.panels.widgets.file_row import FileRow
 from BalloonWorkbench.gui.panels.widgets.narrow import NarrowCombo
+from BalloonWorkbench.gui.panels.widgets.wrapping import PushButton
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, translate
 from BalloonWorkbench.gui.window.file_dialogs import ask_for_picture
 
@@ -30,7 +31,7 @@ class GroundRow(QtWidgets.QWidget):
         self.kind.setObjectName("Ground")
         self.kind.setAccessibleName(translate("Ground"))
         self.kind.setToolTip(translate("What is behind the balloon"))
-        self.colour = QtWidgets.QPushButton()
+        self.colour = PushButton()
         self.colour.setObjectName("GroundColour")
         self.colour.setToolTip(translate("Choose a colour"))
         self.picture = FileRow(

@@ -7,6 +7,7 @@ import math
 
 import FreeCADGui as Gui
 
+from BalloonWorkbench.gui.panels.widgets.wrapping import PushButton
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, position, translate
 from BalloonWorkbench.gui.tabs.zoom_keys import wheel_zoom
 
@@ -37,7 +38,7 @@ class PictureWindow(QtWidgets.QDialog):
             hint.setWordWrap(True)
             column.addWidget(hint)
         column.addWidget(self.view)
-        done = QtWidgets.QPushButton(translate("Done") if marks else translate("Close"))
+        done = PushButton(translate("Done") if marks else translate("Close"))
         done.setObjectName("PictureDone")
         done.clicked.connect(lambda _checked=False: self.close())
         column.addWidget(done)

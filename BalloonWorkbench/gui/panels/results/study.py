@@ -21,6 +21,7 @@ from BalloonWorkbench.gui.panels.results.study_plot import StudyPlot
 from BalloonWorkbench.gui.panels.results.study_rows import StudyRows
 from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel
 from BalloonWorkbench.gui.panels.widgets.object_panel import ObjectPanel
+from BalloonWorkbench.gui.panels.widgets.wrapping import PushButton
 from BalloonWorkbench.gui.qt import QtWidgets, translate
 from BalloonWorkbench.gui.view3d.fit_view import fit_all
 from BalloonWorkbench.gui.window import macro_recorder
@@ -73,10 +74,10 @@ class StudyPanel(ObjectPanel):
         self.row_results: dict[int, dict] = {}
         self.column, self.across, self.up = (QtWidgets.QComboBox() for _ in range(3))
         self.first, self.last = QtWidgets.QLineEdit(), QtWidgets.QLineEdit()
-        self.steps, self.make_rows = QtWidgets.QSpinBox(), QtWidgets.QPushButton(translate("Make rows"))
+        self.steps, self.make_rows = QtWidgets.QSpinBox(), PushButton(translate("Make rows"))
         self.rows, self.plot = StudyRows(), StudyPlot()
-        self.start = QtWidgets.QPushButton(translate("Work out"))
-        self.take = QtWidgets.QPushButton(translate("Take this row"))
+        self.start = PushButton(translate("Work out"))
+        self.take = PushButton(translate("Take this row"))
         self.message = WrappedLabel()
         self._build()
         self.read()

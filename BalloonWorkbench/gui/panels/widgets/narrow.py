@@ -6,7 +6,9 @@ from __future__ import annotations
 from BalloonWorkbench.gui.accessible import name_field
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, number_of, painter_on
 
+_ANY = 1_000_000  # px
 _ROOM = 180  # px, for a name and its field in a panel as FreeCAD opens it
+_VALUE = 60  # px, for a value beside its name: it may have several lines
 _ARROW = 24  # px, and the frame, beside an entry
 _LEVELS = 8  # of widgets from a row of a page to what scrolls
 _BESIDE = 4  # px, that themes leave free at the sides of an entry
@@ -35,12 +37,14 @@ class NarrowForm(QtWidgets.QFormLayout):
         self.setFieldGrowthPolicy(QtWidgets.QFormLayout.AllNonFixedFieldsGrow)
 
     def addRow(self, *row):
-        """Qt would rather cut off an entry of a choice than put it below its name."""
+        """Qt would rather cut off an entry of a choice than put it below its name, and a long name takes the
+        width of the values beside all others."""
         self._name(row)
-        if len(row) == 2 and isinstance(row[1], QtWidgets.QComboBox):
+        if len(row) == 2 and isinstance(row[1], (QtWidgets.QComboBox, WrappedLabel)):
             name, field = row
             label = QtWidgets.QLabel(name) if isinstance(name, str) else name
-            if label.sizeHint().width() + _whole_width(field) + self.horizontalSpacing() > _ROOM:
+            least = _VALUE if isinstance(field, WrappedLabel) else _whole_width(field)
+            if label.sizeHint().width() + least + self.horizontalSpacing() > _ROOM:
                 self._append(label)
                 self._append(field)
                 return
@@ -185,9 +189,9 @@ class Message(WrappedLabel):
 
 
 class FullList(QtWidgets.QListWidget):
-    """A list that is as high as its rows, up to a limit."""
+    """A list that is as high as its rows, up to a limit where there is one: else the panel scrolls."""
 
-    def __init__(self, highest: int):
+    def __init__(self, highest: int = _ANY):
         super().__init__()
         self._highest = highest
         self._soon = QtCore.QTimer(self)

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel
+from BalloonWorkbench.gui.panels.widgets.wrapping import PushButton
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.window.selection import SelectionWatch, selected_source
 
@@ -23,7 +24,7 @@ class SourceRow(QtWidgets.QWidget):
         self._obj, self._empty, self._prop, self._chosen = obj, empty, prop, selected
         self.source = WrappedLabel()
         self.source.setObjectName("Source")
-        self.pick = QtWidgets.QPushButton(translate("Select another"))
+        self.pick = PushButton(translate("Select another"))
         self.pick.setObjectName("Pick")
         self.pick.setCheckable(True)
         self.pick.setChecked(not getattr(obj, prop))
