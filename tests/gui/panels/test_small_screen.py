@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Every panel on a screen of 1366 x 768: nothing is cut off, one bar scrolls at most.
 
-In German, whose words are long; in others with their names in BALLOON_LANGUAGES, between commas, among them
-Pseudo and Mirrored (pseudo.py).
+In German, whose words are long, and in a longer language from right to left (pseudo.py); in others with their
+names in BALLOON_LANGUAGES, between commas, among them Pseudo.
 """
 
 import os
@@ -18,7 +18,7 @@ import pytest
 from BalloonWorkbench.app.properties import preferences
 from BalloonWorkbench.core.machines.machine import machines
 
-LANGUAGES = os.environ.get("BALLOON_LANGUAGES", "German").split(",")
+LANGUAGES = os.environ.get("BALLOON_LANGUAGES", "German,Mirrored").split(",")
 
 
 @pytest.fixture

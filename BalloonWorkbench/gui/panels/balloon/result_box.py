@@ -16,7 +16,7 @@ from BalloonWorkbench.gui.accessible import sign_button
 from BalloonWorkbench.gui.panels.balloon.body_rows import BodyRows, quick_rows
 from BalloonWorkbench.gui.panels.making.maker_rows import MakerRows, value_label
 from BalloonWorkbench.gui.panels.widgets.fields import Fields
-from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel
+from BalloonWorkbench.gui.panels.widgets.narrow import NarrowForm, WrappedLabel
 from BalloonWorkbench.gui.panels.widgets.wrapping import PushButton
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon, translate
 from BalloonWorkbench.gui.window.sentences import translated
@@ -84,8 +84,7 @@ class ResultBox(QtWidgets.QWidget):
         message_row = QtWidgets.QHBoxLayout()
         message_row.addWidget(self._sign)
         message_row.addWidget(self._message, 1)
-        self._measures = QtWidgets.QFormLayout()
-        self._measures.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
+        self._measures = NarrowForm()
         self._maker, self._body = MakerRows(self._measures, short=True), BodyRows(self._measures)
         column = QtWidgets.QVBoxLayout(self)
         start = QtWidgets.QHBoxLayout()
@@ -150,7 +149,7 @@ class ResultBox(QtWidgets.QWidget):
 
     def show_draft(self, inflation) -> None:
         """About what the balloon will measure; an Inflation of the core."""
-        self._clear_measures()
+        self._measures.clear()
         width, height, half = to_mm(np.ptp(inflation.positions, axis=0)).tolist()
         for name, text in (
             (translate("Size"), size_text(width, height)),
@@ -159,13 +158,9 @@ class ResultBox(QtWidgets.QWidget):
         ):
             self._measures.addRow(name, value_label(translate("about {}").format(text)))
 
-    def _clear_measures(self) -> None:
-        while self._measures.rowCount():
-            self._measures.removeRow(0)
-
     def show_result(self, parts) -> None:
         """The measures of the balloon, and what its objects have to say."""
-        self._clear_measures()
+        self._measures.clear()
         self._body.leave()
         outline, balloon, pattern = parts
         self._fields.refresh()

@@ -51,6 +51,13 @@ class NarrowForm(QtWidgets.QFormLayout):
             row = label, field
         self._append(*row)
 
+    def clear(self) -> None:
+        """Take all rows away, with what is in them."""
+        while self.rowCount():
+            self.removeRow(0)
+        self._all.clear()
+        self._out.clear()
+
     def show_widget(self, widget, visible: bool) -> None:
         """Show the row of a widget or empty it."""
         number = next(number for number, row in enumerate(self._all) if widget in row)
