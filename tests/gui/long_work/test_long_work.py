@@ -218,6 +218,8 @@ def test_a_message_in_the_status_bar_stays_readable():
         return progress
 
     work().close()
+    bar.clearMessage()
+    hands.wait(0.2)
     labels = [w for w in bar.findChildren(hands.QtWidgets.QLabel) if w.isVisible()]
     bar.showMessage("Written to somewhere", 60_000)
     hands.wait(0.1)
