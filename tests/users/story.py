@@ -8,8 +8,10 @@ from pathlib import Path
 import checks
 import FreeCAD as App
 import hands
+import numpy as np
 
 from BalloonWorkbench.app.drawings.qt_picture import pixels
+from BalloonWorkbench.core.tracing.raster import label
 
 QtCore, QtWidgets = hands.QtCore, hands.QtWidgets
 #: Part of the view that may change its silhouette when only colours change.
@@ -44,7 +46,11 @@ class Story:
         self._number += 1
         step = f"{self.name}-{self._number:02d}-{what}"
         image = screen(self.folder / f"{step}.png")
-        for fault in checks.all_of(image):
+        faults = checks.all_of(image)
+        if faults:  # a panel may be laying itself out: what stays is a fault
+            hands.wait(0.5)
+            faults = [fault for fault in checks.all_of(screen()) if fault in faults]
+        for fault in faults:
             if fault not in self._told:
                 self._told.add(fault)
                 self.faults.append(f"{step}: {fault}")
@@ -83,10 +89,15 @@ def view_box():
 
 
 def silhouette():
-    """Where something stands in the 3D view (h, w): its background has one colour along each row."""
+    """Where something stands in the 3D view (h, w): its background has one colour along each row.
+
+    What a line goes round belongs to it, whatever its colour: bare foil may be as light as the background.
+    """
     picture = QtWidgets.QApplication.primaryScreen().grabWindow(0, *view_box().getRect())
     rgb = pixels(picture.toImage())[..., :3].astype(int)
-    return (abs(rgb - rgb[:, 4:5]) > _DIFFERENT).any(axis=2)
+    stands = (abs(rgb - rgb[:, 4:5]) > _DIFFERENT).any(axis=2)
+    bare, _ = label(np.pad(~stands, 1, constant_values=True))
+    return (bare != bare[0, 0])[1:-1, 1:-1]
 
 
 def most_change(action, settled, seconds=8.0):

@@ -16,7 +16,7 @@ import steps
 from BalloonWorkbench.app.document import create
 from BalloonWorkbench.core.studies.runners.worker import python
 
-ROWS = 12
+ROWS = 40
 HEART = Path("resources/examples/pictures/heart.png").resolve()
 
 
@@ -80,7 +80,7 @@ def _gone_on_with(user, story, doc):
     before = _done()
     story.expect(before >= 2, "what was there before is not known any more")
     user.button("StudyStart")
-    hands.wait_until(lambda: hands.find("StudyStart").text() == "Work out" and _done() == ROWS, 180)
+    hands.wait_until(lambda: hands.find("StudyStart").text() == "Work out" and _done() == ROWS, 300)
     hands.wait(0.3)
     story.step("all-rows")
     over = hands.find("StudyAcross").currentText()

@@ -16,6 +16,7 @@ from BalloonWorkbench.gui.paint.painting.layers import SIDE
 QtCore, QtGui, QtWidgets = hands.QtCore, hands.QtGui, hands.QtWidgets
 _OBJECT = 1001  # kind of the tree's items that are objects, in FreeCAD
 _TRIES = 4
+_LOOKS = 50  # at a widget that moves
 _ANSWER = 10.0  # s in which the pointer has to arrive
 
 
@@ -40,8 +41,8 @@ class User:
         hands.wait(0.02)
 
     def click(self, what, button=LEFT, times=1):
-        """Click into the middle of a widget, or at a place."""
-        place = what if isinstance(what, QtCore.QPoint) else middle(what)
+        """Click into the middle of a widget, once it rests, or at a place."""
+        place = what if isinstance(what, QtCore.QPoint) else _resting(what)
         self.go(place - QtCore.QPoint(1, 1))
         self.go(place)
         for _ in range(times):
@@ -244,6 +245,16 @@ def middle(widget):
     assert widget.isVisible(), f"{widget.objectName()} cannot be seen"
     hands.wait_until(widget.isEnabled, 20)
     return widget.mapToGlobal(widget.visibleRegion().boundingRect().center())
+
+
+def _resting(widget):
+    """The middle of a widget that a panel may be laying out anew."""
+    places = [None]
+    while len(places) < 2 or places[-1] != places[-2]:
+        places.append(middle(widget))
+        hands.wait(0.06)
+        assert len(places) < _LOOKS, f"{widget.objectName()} never rests"
+    return places[-1]
 
 
 def shown(name):

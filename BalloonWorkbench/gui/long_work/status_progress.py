@@ -53,12 +53,18 @@ class StatusProgress(QtCore.QObject):
         """The work is over."""
         QtWidgets.QApplication.instance().removeEventFilter(self)
         self._soon.stop()
-        Gui.getMainWindow().statusBar().removeWidget(self._room)
+        if self._room.parent() is not None:
+            place = _place()
+            place.layout().removeWidget(self._room)
+            place.setVisible(place.layout().count() > 0)
+        self._room.hide()
         self._room.deleteLater()
         self.deleteLater()
 
     def _appear(self) -> None:
-        Gui.getMainWindow().statusBar().addPermanentWidget(self._room)
+        place = _place()
+        place.layout().addWidget(self._room)
+        place.show()
         self._room.show()
 
     def _is_on_button(self, event) -> bool:
@@ -80,3 +86,17 @@ class StatusProgress(QtCore.QObject):
                 self.stop()
             return True
         return False
+
+
+def _place():
+    """Where works are in the status bar. It stays: when something is added there or taken away, Qt shows the
+    labels again that a message hides, and both are drawn over each other.
+    """
+    bar = Gui.getMainWindow().statusBar()
+    place = bar.findChild(QtWidgets.QWidget, "BalloonWorks")
+    if place is None:
+        place = QtWidgets.QWidget()
+        place.setObjectName("BalloonWorks")
+        QtWidgets.QHBoxLayout(place).setContentsMargins(0, 0, 0, 0)
+        bar.addPermanentWidget(place)
+    return place

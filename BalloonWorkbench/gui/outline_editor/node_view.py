@@ -11,10 +11,12 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from BalloonWorkbench.app.drawings.drawing_file import File, file_of
 from BalloonWorkbench.core.geometry.nearest import nearest_on_loops, nearest_places
 from BalloonWorkbench.core.geometry.polyline import bounds
 from BalloonWorkbench.core.outline_edits.nodes import CORNER, NodeDrawing
 from BalloonWorkbench.core.units import from_mm, to_mm
+from BalloonWorkbench.gui.panels.widgets.drawing_preview import picture_in
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, position
 from BalloonWorkbench.gui.tabs.zoom_keys import FIT, LARGER, PULL, SMALLER, STEP
 from BalloonWorkbench.gui.tabs.zoom_view import ZoomView
@@ -24,7 +26,7 @@ Place = tuple[float, float]
 NEAR = 9.0  # px within which a node or the line is meant
 _HALF = 4.5  # px, half the side of a handle
 _PUSH, _PUSH_FAR = 1.0, 10.0  # px of an arrow key, and with Shift
-_PICTURE = 0.55  # opacity
+_PICTURE, _SHARPEST = 0.55, 4096  # opacity; px that a picture is shown with at most
 _LINE, _CHOSEN, _NODE = "#0072b2", "#d55e00", "#ffffff"
 _ARROWS = {
     QtCore.Qt.Key_Left: (-1.0, 0.0),
@@ -57,6 +59,7 @@ class NodeView(ZoomView):
         self.chosen: list[Place] = []
         self._shown: NodeDrawing | None = None  # while nodes are dragged, else None
         self._picture, self._picture_box = QtGui.QPixmap(), QtCore.QRectF()
+        self._file: File | None = None  # of the picture
         self._held = None  # QPointF in the view where the left button went down
         self._grip: np.ndarray | None = None  # the node that is dragged
         self._by: np.ndarray | None = None  # how far (2,) m it has been
@@ -68,6 +71,8 @@ class NodeView(ZoomView):
 
     def show_nodes(self, nodes: NodeDrawing, chosen: Sequence[np.ndarray] = ()) -> None:
         """Show another state; of the nodes at these places those that are there are picked."""
+        if nodes is not self.nodes:
+            self._drop()  # what is held is of another outline
         self.nodes, self._shown = nodes, None
         near, places = 1e-5 * nodes.size, self._places()
         away = [np.linalg.norm(places - each, axis=1) for each in chosen]
@@ -80,11 +85,15 @@ class NodeView(ZoomView):
 
     def show_picture(self, path: str, canvas) -> None:
         """The picture below, between its corners (2, 2) m; without a path none."""
-        self._picture = QtGui.QPixmap(path) if path and canvas is not None else QtGui.QPixmap()
+        file = file_of(path) if path and canvas is not None else None
+        if file != self._file:
+            self._file = file
+            self._picture = QtGui.QPixmap() if file is None else picture_in(path, _SHARPEST)
         self._picture_box = QtCore.QRectF()
         if not self._picture.isNull():
             (left, low), (right, high) = to_mm(canvas).tolist()
             self._picture_box = QtCore.QRectF(left, low, right - left, high - low)
+        self.viewport().update()
 
     @property
     def is_settled(self) -> bool:
@@ -159,7 +168,9 @@ class NodeView(ZoomView):
     def mousePressEvent(self, event):
         self.setFocus()
         at = position(event)
-        if event.button() == QtCore.Qt.MiddleButton or self._space:
+        if self._held is not None or self._pulled_from is not None:
+            pass  # another button is down
+        elif event.button() == QtCore.Qt.MiddleButton or self._space:
             self._pulled_from = at.toPoint()
         elif event.button() == QtCore.Qt.LeftButton and self.nodes is not None:
             self._held, self._fresh = at, False
@@ -171,6 +182,9 @@ class NodeView(ZoomView):
 
     def mouseMoveEvent(self, event):
         at = position(event)
+        if not event.buttons():  # it was let go where nobody told us
+            self._drop()
+            self._pulled_from = None
         if self._pulled_from is not None:
             self.pull(at.toPoint() - self._pulled_from)
             self._pulled_from = at.toPoint()
@@ -299,6 +313,8 @@ class NodeView(ZoomView):
     def _action(self, event):
         """What a key does; None when it is not ours."""
         key, modifiers = event.key(), event.modifiers() & ~QtCore.Qt.KeypadModifier
+        if self._held is not None:  # one thing after the other
+            return self._let_go if key == QtCore.Qt.Key_Escape else _nothing
         shift = bool(modifiers & QtCore.Qt.ShiftModifier)
         if modifiers & QtCore.Qt.ControlModifier:
             return {
@@ -346,13 +362,23 @@ class NodeView(ZoomView):
     def _let_go(self) -> None:
         """Esc: of what is dragged, then of what is picked, then of the editor."""
         if self._held is not None:
-            self._held = self._box = self._grip = self._by = self._shown = None
+            self._drop()
         elif self.chosen:
             self.chosen = []
             self.picked.emit()
         else:
             self.left.emit()
         self.viewport().update()
+
+    def _drop(self) -> None:
+        """What is dragged goes back to where it was."""
+        if self._held is not None:
+            self._held = self._box = self._grip = self._by = self._shown = None
+            self.viewport().update()
+
+
+def _nothing() -> None:
+    pass
 
 
 def _key(place) -> Place:

@@ -45,16 +45,17 @@ _tabs: list[OutlineTab] = []
 _watching: list[TabWatch] = []
 
 
-def open_tab(obj, changed=None) -> OutlineTab:
+def open_tab(obj, page=None) -> OutlineTab:
     """The tab of an outline that has a drawing, in front; made where there is none.
 
-    changed  called after each edit while a task panel is open, whose undo step the edits are part of
+    page  of an open task panel, whose undo step the edits are part of: its `changed` is emitted after each
     """
     if not _watching:
         _watching.append(TabWatch(_tabs))
         App.addDocumentObserver(_watching[0])
     tab = tab_of(obj, _tabs, OutlineTab, "edit_outline")
-    tab.panel = changed
+    if page is not None:
+        tab.join(page)
     return tab
 
 
@@ -66,7 +67,7 @@ class OutlineTab(DocumentTab):
     def __init__(self, obj):
         super().__init__(obj, _tabs)
         self.setObjectName("OutlineTab")
-        self.panel = None  # what an open task panel wants to be called after an edit
+        self._page = None  # of the open task panel that edits are part of
         self.state: EditedDrawing | None = None
         self._drawing: Drawing | None = None  # before its edits
         self._edit = macro_recorder.Edit(parts_of(obj)) if parts_of(obj) else None
@@ -140,12 +141,12 @@ class OutlineTab(DocumentTab):
         if self.obj is None:
             return
         self.sliders.show_values(reading_of(self.obj)[2])
+        self.view.show_picture("" if drawing.canvas is None else self.obj.Drawing, drawing.canvas)
         if state is self.state and self.view.is_settled:
             return
         self.sliders.setVisible(drawing.canvas is not None)
         self.state, self._drawing = state, drawing
         self.both.setEnabled(bool(axes_of(drawing)))
-        self.view.show_picture("" if drawing.canvas is None else self.obj.Drawing, drawing.canvas)
         self.view.show_nodes(state.nodes, [np.array(each) for each in self.view.chosen])
         self._show_line()
 
@@ -167,6 +168,18 @@ class OutlineTab(DocumentTab):
     def closed(self, obj) -> None:
         """The balloon follows when the tab is gone."""
         QtCore.QTimer.singleShot(0, partial(_finish, obj.Document.Name, obj.Name, self._edit))
+
+    def join(self, page) -> None:
+        """Edits are part of what is done in the task panel of a page."""
+        if self._page is not page:
+            self._leave_panel()
+            self._page = page
+            page.destroyed.connect(self._leave_panel)
+
+    def _leave_panel(self, *_page) -> None:
+        self._page = None
+        self._past.clear()
+        self._future.clear()
 
     # edits
 
@@ -223,7 +236,8 @@ class OutlineTab(DocumentTab):
             return
         nodes, frame, kept = self.state.nodes, EditFrame.of(self._drawing), edits_of(self.obj.OutlineEdits)
         try:
-            for edit in make():
+            edits = make()
+            for edit in edits:
                 nodes = with_edit(nodes, edit, axes_of(self._drawing))
                 kept = appended(kept, frame.kept(edit))
         except BalloonError as error:
@@ -231,7 +245,8 @@ class OutlineTab(DocumentTab):
             self.fail(error)
             return
         self.view.chosen = [(float(place[0]), float(place[1])) for place in chosen]
-        self._write([edit_text(edit) for edit in kept], self._now()[1])
+        if edits:
+            self._write([edit_text(edit) for edit in kept], self._now()[1])
 
     def retrace(self, tracing, keep: bool) -> None:
         """Trace the picture in another way: to look at, or to keep."""
@@ -261,6 +276,7 @@ class OutlineTab(DocumentTab):
             self._past.append(self._now())
             self._future.clear()
         else:
+            self._leave_panel()
             doc.openTransaction(translate("Edit outline"))
         self._put(texts, tracing)
         if not in_panel and self.obj is not None:
@@ -273,13 +289,14 @@ class OutlineTab(DocumentTab):
         others = (each for each in self.obj.InList if getattr(each, "Leader", None) == self.obj)
         self.obj.Document.recompute([self.obj, *others])
         self.follow()
-        if Gui.Control.activeDialog() and self.panel is not None:
-            self.panel()
+        if Gui.Control.activeDialog() and self._page is not None:
+            self._page.changed.emit()
 
     def _step(self, back: list, on: list, action: str) -> None:
         if self.obj is None:
             return
         if not Gui.Control.activeDialog():
+            self._leave_panel()
             getattr(self.obj.Document, action)()
             self.changed()
         elif back:

@@ -18,6 +18,7 @@ from BalloonWorkbench.app.engine import bag_result, maker
 from BalloonWorkbench.core.checkpoint import checkpoint
 from BalloonWorkbench.core.errors import Cancelled, MeshError
 from BalloonWorkbench.gui.long_work import worker as worker_module
+from BalloonWorkbench.gui.long_work.status_progress import StatusProgress
 from BalloonWorkbench.gui.long_work.worker import Worker
 from BalloonWorkbench.gui.panels.balloon import body_rows
 from BalloonWorkbench.gui.panels.balloon.body_rows import BodyRows
@@ -205,3 +206,31 @@ def test_a_count_that_nobody_waits_for_any_more_ends(made, monkeypatch, rows):
         hands.wait_until(lambda turn=turn: len(begun) == turn and len(over) == turn - 1, 10)
     shown.release()
     hands.wait_until(lambda: len(over) == 2, 10)
+
+
+def test_a_message_in_the_status_bar_stays_readable():
+    """Work that comes and goes does not lay FreeCAD's labels over it."""
+    bar = Gui.getMainWindow().statusBar()
+
+    def work():
+        progress = StatusProgress("Working", lambda: None)
+        hands.wait_until(lambda: shown() is not None, 5)
+        return progress
+
+    work().close()
+    bar.clearMessage()
+    hands.wait(0.2)
+    labels = [w for w in bar.findChildren(hands.QtWidgets.QLabel) if w.isVisible()]
+    bar.showMessage("Written to somewhere", 60_000)
+    hands.wait(0.1)
+    hidden = [label for label in labels if not label.isVisible()]
+    assert hidden
+    progress = work()
+    assert not any(label.isVisible() for label in hidden)
+    progress.close()
+    hands.wait(0.1)
+    assert not any(label.isVisible() for label in hidden)
+    assert shown() is None
+    bar.clearMessage()
+    hands.wait(0.1)
+    assert all(label.isVisible() for label in hidden)

@@ -111,10 +111,14 @@ class Canvas(OwnKeys, QtWidgets.QWidget):
 
     def mousePressEvent(self, event):
         self.setFocus()
-        self._keys.leave()
         point = position(event)
         left = event.button() == QtCore.Qt.LeftButton
-        if event.button() == QtCore.Qt.MiddleButton or (left and self._is_pulling()):
+        if left or self._keys.is_down:
+            self._release()  # what the keys have begun, or the mouse when its button came up elsewhere
+        self._keys.leave()
+        if self._held is not None or self._is_at_work():
+            pass  # another button is down
+        elif event.button() == QtCore.Qt.MiddleButton or (left and self._is_pulling()):
             self._held = point
             self.setCursor(QtCore.Qt.ClosedHandCursor)
         elif left:
@@ -155,6 +159,7 @@ class Canvas(OwnKeys, QtWidgets.QWidget):
             return
         if kind == QtCore.QEvent.TabletPress:
             self.setFocus()
+            self._release()
             self._keys.leave()
             self._press(point, event.pressure(), is_eraser(event), _with_shift(event))
         elif kind == QtCore.QEvent.TabletMove and (event.pressure() > 0.0 or self.hand.bending):
@@ -197,6 +202,15 @@ class Canvas(OwnKeys, QtWidgets.QWidget):
         elif not self.hand.bending:
             self.hand.end()
 
+    def _is_idle(self) -> bool:
+        """Nothing is being drawn or placed."""
+        return self.hand.stroke is None and not self.floating.is_there() and not self._is_at_work()
+
+    def _is_at_work(self) -> bool:
+        """Something follows the pointer until its button comes up."""
+        works = (self.hand, *self._inputs.values())
+        return self.floating.is_held() or any(each.is_at_work() for each in works)
+
     def _input(self):
         """What the tool does; None for those of strokes."""
         return self._inputs.get(self.hand.tool.name)
@@ -222,6 +236,9 @@ class Canvas(OwnKeys, QtWidgets.QWidget):
     def finish(self) -> None:
         """What is being drawn or placed is painted: something else begins."""
         self._keys.is_down = False
+        for each in self._inputs.values():
+            if each.is_at_work():
+                each.end()
         self.floating.confirm()
         self.hand.end()
 
@@ -259,10 +276,9 @@ class Canvas(OwnKeys, QtWidgets.QWidget):
         """What a key does; None when it is not ours."""
         ctrl_y = event.key() == QtCore.Qt.Key_Y and event.modifiers() == QtCore.Qt.ControlModifier
         if event.matches(QtGui.QKeySequence.Undo):
-            idle = self.hand.stroke is None and not self.floating.is_there()
-            return self.painting.undo if idle else self.cancel
+            return self.painting.undo if self._is_idle() else self.cancel
         if event.matches(QtGui.QKeySequence.Redo) or ctrl_y:
-            return self.painting.redo
+            return lambda: self.painting.redo() if self._is_idle() else None
         for name, keys in _CLIPS.items():
             if event.matches(keys):
                 return lambda name=name: self.clipped.emit(name)

@@ -54,7 +54,7 @@ class FileBox(FilePage):
     def _edit_nodes(self, _checked: bool = False) -> None:
         from BalloonWorkbench.gui.outline_editor.tab import open_tab
 
-        open_tab(self.obj, self.changed.emit)
+        open_tab(self.obj, self)
 
     def _size(self) -> tuple[float, float]:
         """Width and height of the whole drawing in mm; 0 while there is none."""

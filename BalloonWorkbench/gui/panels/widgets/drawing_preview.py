@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from BalloonWorkbench.app.border import status
+from BalloonWorkbench.app.drawings.drawing_file import file_of
 from BalloonWorkbench.app.shapes import part_shapes
 from BalloonWorkbench.core.units import to_mm
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, painter_on, translate
@@ -12,6 +13,7 @@ from BalloonWorkbench.gui.window.user_units import size_text
 
 _MARGIN = 6
 _SIDE = 640  # px that a picture is shown with at most
+_MEGABYTES = 512  # unpacked, of Qt 6; its usual limit is lower than ours
 _LEAST, _MOST, _FORM = 150, 280, 0.62  # px, px, height over width: a wide panel has a larger picture
 _SWING = 24  # px; a scroll bar that comes and goes with the height changes the width, and would never rest
 
@@ -25,6 +27,20 @@ def notes_of(outline) -> str:
     return "\n".join([size_form.format(size, outline.HoleCount), *map(translated, outline.Notes)])
 
 
+def picture_in(path: str, side: int):
+    """The picture in a file as it is traced: upright, and no longer or higher than `side` px."""
+    reader = QtGui.QImageReader(path)
+    reader.setDecideFormatFromContent(True)
+    # the outline follows the camera's note on which side is up in these alone
+    reader.setAutoTransform(bytes(reader.format()) == b"jpeg")
+    if hasattr(reader, "setAllocationLimit"):
+        reader.setAllocationLimit(_MEGABYTES)
+    size = reader.size()
+    if max(size.width(), size.height()) > side:
+        reader.setScaledSize(size.scaled(side, side, QtCore.Qt.KeepAspectRatio))
+    return QtGui.QPixmap.fromImageReader(reader)
+
+
 class Preview(QtWidgets.QWidget):
     """Shows a picture, if there is one, and the outline over it."""
 
@@ -32,7 +48,7 @@ class Preview(QtWidgets.QWidget):
         super().__init__(parent)
         self.setObjectName("Preview")
         self.setMinimumHeight(_LEAST)
-        self._picture, self._file = QtGui.QPixmap(), ""
+        self._picture, self._file = QtGui.QPixmap(), None
         self._picture_box = QtCore.QRectF()
         self._path = QtGui.QPainterPath()
         self._welds = QtGui.QPainterPath()
@@ -62,16 +78,11 @@ class Preview(QtWidgets.QWidget):
         self.update()
 
     def _show_picture(self, path: str) -> None:
-        """Read it once, and no larger than it can be seen."""
-        if path == self._file:
-            return
-        self._file, self._picture = path, QtGui.QPixmap()
-        if path:
-            reader = QtGui.QImageReader(path)
-            size = reader.size()
-            if max(size.width(), size.height()) > _SIDE:
-                reader.setScaledSize(size.scaled(_SIDE, _SIDE, QtCore.Qt.KeepAspectRatio))
-            self._picture = QtGui.QPixmap.fromImageReader(reader)
+        """Read it once, as long as the file is the same."""
+        file = file_of(path) if path else None
+        if file != self._file:
+            self._file = file
+            self._picture = QtGui.QPixmap() if file is None else picture_in(path, _SIDE)
 
     def resizeEvent(self, event):
         super().resizeEvent(event)
