@@ -6,7 +6,7 @@ import re
 import hands
 
 from BalloonWorkbench.gui.panels.widgets.narrow import ElidedCombo
-from BalloonWorkbench.gui.panels.widgets.wrapping import CheckBox, PictureButton, PushButton
+from BalloonWorkbench.gui.wrapping import CheckBox, PictureButton, PushButton
 
 QtCore, QtGui, QtWidgets = hands.QtCore, hands.QtGui, hands.QtWidgets
 

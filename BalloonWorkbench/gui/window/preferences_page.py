@@ -8,9 +8,9 @@ from BalloonWorkbench.app.properties import preferences
 from BalloonWorkbench.gui.accessible import name_field, sign_button
 from BalloonWorkbench.gui.panels.widgets.fields import UNITS, new_quantity_box
 from BalloonWorkbench.gui.panels.widgets.narrow import NarrowCombo
-from BalloonWorkbench.gui.panels.widgets.wrapping import CheckBox
 from BalloonWorkbench.gui.qt import QtWidgets, translate
 from BalloonWorkbench.gui.window.sentences import translated
+from BalloonWorkbench.gui.wrapping import CheckBox
 
 
 class PreferencesPage(Guarded):

@@ -10,9 +10,9 @@ from BalloonWorkbench.gui.panels.widgets.drawing_preview import Preview, notes_o
 from BalloonWorkbench.gui.panels.widgets.file_page import FilePage
 from BalloonWorkbench.gui.panels.widgets.file_row import FileRow
 from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel
-from BalloonWorkbench.gui.panels.widgets.wrapping import PushButton
 from BalloonWorkbench.gui.qt import QtWidgets, translate
 from BalloonWorkbench.gui.window import file_dialogs as choose
+from BalloonWorkbench.gui.wrapping import PushButton
 
 
 class FileBox(FilePage):

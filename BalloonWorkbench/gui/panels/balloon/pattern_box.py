@@ -12,10 +12,10 @@ from BalloonWorkbench.app.shapes.pattern_shape import PLACE
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.gui.panels.widgets.fields import PropertyPage
 from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel
-from BalloonWorkbench.gui.panels.widgets.wrapping import PushButton
 from BalloonWorkbench.gui.qt import QtWidgets, translate
 from BalloonWorkbench.gui.view3d.intake_handle import IntakeHandle
 from BalloonWorkbench.gui.window.sentences import translated
+from BalloonWorkbench.gui.wrapping import PushButton
 
 
 class PatternBox(PropertyPage):

@@ -17,7 +17,6 @@ from BalloonWorkbench.gui.panels.balloon.body_rows import BodyRows, quick_rows
 from BalloonWorkbench.gui.panels.making.maker_rows import MakerRows, value_label
 from BalloonWorkbench.gui.panels.widgets.fields import Fields
 from BalloonWorkbench.gui.panels.widgets.narrow import NarrowForm, WrappedLabel
-from BalloonWorkbench.gui.panels.widgets.wrapping import PushButton
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon, translate
 from BalloonWorkbench.gui.window.sentences import translated
 from BalloonWorkbench.gui.window.user_units import (
@@ -28,6 +27,7 @@ from BalloonWorkbench.gui.window.user_units import (
     size_text,
     volume_text,
 )
+from BalloonWorkbench.gui.wrapping import PushButton
 
 _ICON = 16
 #: Commands for a finished balloon, with their icons.

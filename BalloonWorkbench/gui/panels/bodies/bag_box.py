@@ -10,11 +10,11 @@ from BalloonWorkbench.gui.panels.bodies.seam_editor import SeamEditor
 from BalloonWorkbench.gui.panels.widgets.file_page import FilePage
 from BalloonWorkbench.gui.panels.widgets.file_row import FileRow
 from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel
-from BalloonWorkbench.gui.panels.widgets.wrapping import PushButton
 from BalloonWorkbench.gui.qt import translate
 from BalloonWorkbench.gui.window import file_dialogs
 from BalloonWorkbench.gui.window.selection import selected_panels
 from BalloonWorkbench.gui.window.sentences import translated
+from BalloonWorkbench.gui.wrapping import PushButton
 
 _MOST_PROBLEMS = 3  # of what does not fit: a bag without seams has many free edges
 

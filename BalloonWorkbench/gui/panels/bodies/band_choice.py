@@ -18,10 +18,10 @@ from BalloonWorkbench.gui.long_work.worker import Worker
 from BalloonWorkbench.gui.panels.bodies.band_sketch import BandComparison, Sketched, picture_of, usual_band
 from BalloonWorkbench.gui.panels.widgets.fields import PropertyForm
 from BalloonWorkbench.gui.panels.widgets.narrow import fit_heights
-from BalloonWorkbench.gui.panels.widgets.wrapping import PictureButton
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, translate
 from BalloonWorkbench.gui.view3d.film_display import look_of
 from BalloonWorkbench.gui.window.user_units import length_text
+from BalloonWorkbench.gui.wrapping import PictureButton
 
 _WIDTH, _HEIGHT = 76, 64  # px, of a picture
 _DIGITS = 2  # of the band that is put in when one is chosen

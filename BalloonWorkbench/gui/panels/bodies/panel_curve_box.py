@@ -16,10 +16,10 @@ from BalloonWorkbench.core.units import number_text, percent_text, to_mm
 from BalloonWorkbench.gui.long_work.worker import Worker
 from BalloonWorkbench.gui.panels.bodies.curve_plot import CurvePlot
 from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel
-from BalloonWorkbench.gui.panels.widgets.wrapping import PushButton
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.window.sentences import translated
 from BalloonWorkbench.gui.window.user_units import length_text
+from BalloonWorkbench.gui.wrapping import PushButton
 
 _MOST = 20.0  # %
 _PERCENT = 0.01

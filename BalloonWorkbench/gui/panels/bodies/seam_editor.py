@@ -13,9 +13,9 @@ from BalloonWorkbench.gui.bags.flat_view import FlatView
 from BalloonWorkbench.gui.bags.seam_list import SeamList
 from BalloonWorkbench.gui.bags.seam_marks import SeamMarks
 from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel
-from BalloonWorkbench.gui.panels.widgets.wrapping import PushButton
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.window.selection import SelectionWatch
+from BalloonWorkbench.gui.wrapping import PushButton
 
 _NEAR = 9.0  # px within which an edge is meant
 

@@ -20,7 +20,6 @@ from BalloonWorkbench.gui.panels import show
 from BalloonWorkbench.gui.panels.widgets.fields import PropertyForm
 from BalloonWorkbench.gui.panels.widgets.narrow import Message, NarrowCombo
 from BalloonWorkbench.gui.panels.widgets.object_panel import ObjectPanel
-from BalloonWorkbench.gui.panels.widgets.wrapping import PushButton
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.view3d.fit_view import fit_kept
 from BalloonWorkbench.gui.window import macro_recorder
@@ -28,6 +27,7 @@ from BalloonWorkbench.gui.window.borders import undo_step
 from BalloonWorkbench.gui.window.file_dialogs import ask_for_picture
 from BalloonWorkbench.gui.window.sentences import translated
 from BalloonWorkbench.gui.window.user_units import NOTHING, size_text
+from BalloonWorkbench.gui.wrapping import PushButton
 
 
 def show_panel(obj) -> None:

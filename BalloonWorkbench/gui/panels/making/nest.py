@@ -21,7 +21,6 @@ from BalloonWorkbench.gui.panels.widgets.fields import PropertyForm
 from BalloonWorkbench.gui.panels.widgets.file_row import FileRow
 from BalloonWorkbench.gui.panels.widgets.narrow import FullList, Message, WrappedLabel
 from BalloonWorkbench.gui.panels.widgets.object_panel import ObjectPanel
-from BalloonWorkbench.gui.panels.widgets.wrapping import PushButton
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.view3d.fit_view import fit_all
 from BalloonWorkbench.gui.window import macro_recorder
@@ -29,6 +28,7 @@ from BalloonWorkbench.gui.window.borders import undo_step
 from BalloonWorkbench.gui.window.file_dialogs import ask_for_remnant, ask_where_to_write
 from BalloonWorkbench.gui.window.sentences import translated
 from BalloonWorkbench.gui.window.user_units import NOTHING, size_text
+from BalloonWorkbench.gui.wrapping import PushButton
 
 _HIGHEST = 160  # px, of the list of patterns
 

@@ -13,7 +13,6 @@ from BalloonWorkbench.gui.long_work.worker import Worker
 from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel
 from BalloonWorkbench.gui.panels.widgets.target_file import name_of
 from BalloonWorkbench.gui.panels.widgets.watch import Watch
-from BalloonWorkbench.gui.panels.widgets.wrapping import PushButton
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon, number_of, translate
 from BalloonWorkbench.gui.view3d.inflation_player import FRAMES, Player, request_of
 from BalloonWorkbench.gui.window import macro_recorder
@@ -21,6 +20,7 @@ from BalloonWorkbench.gui.window.borders import TaskPanel
 from BalloonWorkbench.gui.window.file_dialogs import ask_where_to_write
 from BalloonWorkbench.gui.window.sentences import translated
 from BalloonWorkbench.gui.window.user_units import pressure_text
+from BalloonWorkbench.gui.wrapping import PushButton
 
 _FILES = {"gif": "GIF", "mp4": "MP4"}
 _BEAT = 40  # ms between frames

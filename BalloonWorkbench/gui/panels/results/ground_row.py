@@ -6,9 +6,9 @@ from __future__ import annotations
 from BalloonWorkbench.core.options.making import TRANSPARENT
 from BalloonWorkbench.gui.panels.widgets.file_row import FileRow
 from BalloonWorkbench.gui.panels.widgets.narrow import NarrowCombo
-from BalloonWorkbench.gui.panels.widgets.wrapping import PushButton
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, translate
 from BalloonWorkbench.gui.window.file_dialogs import ask_for_picture
+from BalloonWorkbench.gui.wrapping import PushButton
 
 _USUAL, _COLOUR, _PHOTOGRAPH = "", "colour", "photograph"
 _SWATCH = 16  # px

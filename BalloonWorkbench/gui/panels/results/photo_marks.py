@@ -7,9 +7,9 @@ import math
 
 import FreeCADGui as Gui
 
-from BalloonWorkbench.gui.panels.widgets.wrapping import PushButton
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, position, translate
 from BalloonWorkbench.gui.tabs.zoom_keys import wheel_zoom
+from BalloonWorkbench.gui.wrapping import PushButton
 
 _ARM, _WIDTH = 14, 2  # px
 _COLOUR = "#ff2d95"

@@ -21,12 +21,12 @@ from BalloonWorkbench.gui.panels.results.study_plot import StudyPlot
 from BalloonWorkbench.gui.panels.results.study_rows import StudyRows
 from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel
 from BalloonWorkbench.gui.panels.widgets.object_panel import ObjectPanel
-from BalloonWorkbench.gui.panels.widgets.wrapping import PushButton
 from BalloonWorkbench.gui.qt import QtWidgets, translate
 from BalloonWorkbench.gui.view3d.fit_view import fit_all
 from BalloonWorkbench.gui.window import macro_recorder
 from BalloonWorkbench.gui.window.borders import undo_step
 from BalloonWorkbench.gui.window.sentences import translated
+from BalloonWorkbench.gui.wrapping import PushButton
 
 _MOST_STEPS = 1000  # rows that are made of one
 

@@ -4,9 +4,9 @@
 from __future__ import annotations
 
 from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel
-from BalloonWorkbench.gui.panels.widgets.wrapping import PushButton
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.window.selection import SelectionWatch, selected_source
+from BalloonWorkbench.gui.wrapping import PushButton
 
 
 class SourceRow(QtWidgets.QWidget):

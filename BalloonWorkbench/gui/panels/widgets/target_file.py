@@ -11,8 +11,8 @@ from BalloonWorkbench.app.properties import preferences
 from BalloonWorkbench.core.files.write import safe_name
 from BalloonWorkbench.gui.accessible import sign_button
 from BalloonWorkbench.gui.panels.widgets.narrow import ElidedLabel
-from BalloonWorkbench.gui.panels.widgets.wrapping import CheckBox
 from BalloonWorkbench.gui.qt import QtWidgets, translate
+from BalloonWorkbench.gui.wrapping import CheckBox
 
 
 class TargetFile(QtWidgets.QWidget):

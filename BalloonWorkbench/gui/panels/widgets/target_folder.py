@@ -9,8 +9,8 @@ from pathlib import Path
 from BalloonWorkbench.app.properties import preferences
 from BalloonWorkbench.gui.accessible import sign_button
 from BalloonWorkbench.gui.panels.widgets.narrow import ElidedLabel
-from BalloonWorkbench.gui.panels.widgets.wrapping import CheckBox
 from BalloonWorkbench.gui.qt import QtWidgets, translate
+from BalloonWorkbench.gui.wrapping import CheckBox
 
 
 class TargetFolder(QtWidgets.QWidget):
