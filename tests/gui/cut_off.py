@@ -58,6 +58,8 @@ def _narrow_button(button):
     own = button.metaObject().className().startswith("Gui::") or button.objectName() in _QTS_OWN
     if needed > button.width() + _SLACK and not own:
         yield f"{_name(button)} is cut off: {button.width()} px of {needed}"
+    if button.hasHeightForWidth() and button.heightForWidth(button.width()) > button.height() + _SLACK:
+        yield f"{_name(button)} is too low: {button.height()} px"
 
 
 def _narrow_combo(combo):
@@ -77,6 +79,9 @@ def _low_list(rows):
 
 
 def _narrow_field(field):
+    """Its tip may have the whole text."""
+    if field.text() and field.text() in field.toolTip():
+        return
     needed = field.fontMetrics().boundingRect(field.text() or field.placeholderText()).width() + 6
     if needed > field.width() + _SLACK:
         yield f"{_name(field)} is cut off: {field.width()} px of {needed}"

@@ -7,6 +7,7 @@ from BalloonWorkbench.app.border.guard import Guarded
 from BalloonWorkbench.app.properties import preferences
 from BalloonWorkbench.gui.accessible import name_field, sign_button
 from BalloonWorkbench.gui.panels.widgets.fields import UNITS, new_quantity_box
+from BalloonWorkbench.gui.panels.widgets.wrapped_check import WrappedCheck
 from BalloonWorkbench.gui.qt import QtWidgets, translate
 from BalloonWorkbench.gui.window.sentences import translated
 
@@ -85,7 +86,7 @@ class PreferencesPage(Guarded):
             for choice in preferences.choices(key):
                 field.addItem(_title(key, choice), choice)
         elif isinstance(item.default, bool):
-            field = QtWidgets.QCheckBox(label)
+            field = WrappedCheck(label)
         else:
             field = QtWidgets.QLineEdit()
             field.setPlaceholderText(translate("Beside the document"))

@@ -25,6 +25,7 @@ from BalloonWorkbench.gui.bodies.picked_edits import cut_edit, merge_edit, move_
 from BalloonWorkbench.gui.bodies.seam_mouse import SeamMouse, SeamTool
 from BalloonWorkbench.gui.panels.widgets.fields import ReturnKey
 from BalloonWorkbench.gui.panels.widgets.narrow import FullList, WrappedLabel
+from BalloonWorkbench.gui.panels.widgets.wrapped_check import WrappedCheck
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.window.sentences import translated
 from BalloonWorkbench.gui.window.user_units import length_text
@@ -45,7 +46,7 @@ class BodySeams(QtWidgets.QWidget):
         self._surface: BodySurface | None = None
         self.tools = {tool: QtWidgets.QToolButton() for tool in SeamTool}
         self.hint, self.list = WrappedLabel(), _SeamRows(_HIGHEST)
-        self.mirrored = QtWidgets.QCheckBox(translate("Also on the other side"))
+        self.mirrored = WrappedCheck(translate("Also on the other side"))
         self.places, self.back = QtWidgets.QLineEdit(), QtWidgets.QPushButton(translate("Take back"))
         self._build()
 

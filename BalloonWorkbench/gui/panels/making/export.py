@@ -21,6 +21,7 @@ from BalloonWorkbench.gui.panels.making.machine_box import MachineBox
 from BalloonWorkbench.gui.panels.widgets.narrow import Message, NarrowCombo, NarrowForm, WrappedLabel
 from BalloonWorkbench.gui.panels.widgets.target_file import TargetFile, name_of
 from BalloonWorkbench.gui.panels.widgets.watch import Watch
+from BalloonWorkbench.gui.panels.widgets.wrapped_check import WrappedCheck
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, translate
 from BalloonWorkbench.gui.window import macro_recorder
 from BalloonWorkbench.gui.window.borders import TaskPanel, undo_step
@@ -46,7 +47,7 @@ class ExportPanel(TaskPanel):
         self.machine = MachineBox(patterns[0].Document.Name)
         self.machine.choose(preset or preferences.machine(patterns[0].Document))
         self.file = TargetFile(patterns[0].Document, "File", translate("Export pattern"))
-        self.as_paths = QtWidgets.QCheckBox(translate("Tool paths, no file"))
+        self.as_paths = WrappedCheck(translate("Tool paths, no file"))
         self.as_paths.setObjectName("AsToolPaths")
         self.as_paths.setToolTip(
             translate(

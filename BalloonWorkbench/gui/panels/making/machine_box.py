@@ -25,6 +25,7 @@ from BalloonWorkbench.gui.accessible import sign_button
 from BalloonWorkbench.gui.panels.making.tab_row import TabRow
 from BalloonWorkbench.gui.panels.widgets.fields import ReturnKey
 from BalloonWorkbench.gui.panels.widgets.narrow import FullList, NarrowCombo, WrappedLabel
+from BalloonWorkbench.gui.panels.widgets.wrapped_check import WrappedCheck
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.view3d.marks import PlaceMarks
 from BalloonWorkbench.gui.window.sentences import translated
@@ -119,10 +120,10 @@ class MachineBox(QtWidgets.QWidget):
                 " allowance keep their widths; one undo takes it back"
             )
         )
-        self.write = QtWidgets.QCheckBox(translate("Write anyway"))
+        self.write = WrappedCheck(translate("Write anyway"))
         self.write.setObjectName("WriteAnyway")
         self.write.setToolTip(translate("Write the file although it is larger than the bed"))
-        self.split = QtWidgets.QCheckBox(translate("Split over beds"))
+        self.split = WrappedCheck(translate("Split over beds"))
         self.split.setObjectName("SplitOverBeds")
         self.split.setToolTip(
             translate(

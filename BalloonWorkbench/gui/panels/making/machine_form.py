@@ -17,6 +17,7 @@ from BalloonWorkbench.core.machines.own.keep import copied
 from BalloonWorkbench.core.units import LENGTH_UNITS
 from BalloonWorkbench.gui.panels.widgets.fields import ReturnKey
 from BalloonWorkbench.gui.panels.widgets.narrow import NarrowCombo, NarrowForm
+from BalloonWorkbench.gui.panels.widgets.wrapped_check import WrappedCheck
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.window.sentences import translated
 from BalloonWorkbench.gui.window.user_units import bed_size_text, user_unit
@@ -83,7 +84,7 @@ class MachineForm(QtWidgets.QWidget):
                 field.addItem(translated(title), value)
             field.activated.connect(lambda _index: self._take(entry, field.currentData()))
         elif entry.key == "control_bar":
-            field = QtWidgets.QCheckBox(translate(entry.label))
+            field = WrappedCheck(translate(entry.label))
             field.clicked.connect(lambda checked: self._take(entry, checked))
         else:
             field = QtWidgets.QLineEdit()
@@ -132,5 +133,7 @@ class MachineForm(QtWidgets.QWidget):
                 field.setChecked(bool(value))
             else:
                 field.setText(bed_size_text(machine_of(self.data).bed) if entry.key == BED else value)
+                if entry.key == NOTE:  # longer than its line
+                    field.setToolTip(f"{translate(entry.tip)}\n\n{value}")
                 field.setCursorPosition(0)
                 field.setModified(False)

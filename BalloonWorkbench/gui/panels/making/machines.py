@@ -21,6 +21,7 @@ from BalloonWorkbench.core.machines.own.keep import (
 )
 from BalloonWorkbench.gui.panels.making.machine_form import MachineForm
 from BalloonWorkbench.gui.panels.widgets.narrow import Message, NarrowCombo, WrappedLabel
+from BalloonWorkbench.gui.panels.widgets.wrapped_check import WrappedCheck
 from BalloonWorkbench.gui.qt import QtGui, QtWidgets, icon, translate
 from BalloonWorkbench.gui.window.borders import TaskPanel
 from BalloonWorkbench.gui.window.sentences import translated
@@ -61,7 +62,7 @@ class MachinesPanel(TaskPanel):
         self.note, self.message, self.question = WrappedLabel(), Message("Message"), WrappedLabel()
         self.note.setObjectName("MachineNote")
         self.values = MachineForm()
-        self.begins = QtWidgets.QCheckBox(translate("Export begins with it"))
+        self.begins = WrappedCheck(translate("Export begins with it"))
         self.begins.setObjectName("ExportBegins")
         self.begins.setToolTip(translate("Export pattern begins with this machine; it is a preference"))
         column = QtWidgets.QVBoxLayout(self.form)

@@ -18,6 +18,7 @@ from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.units import number_text, percent_text, to_mm
 from BalloonWorkbench.gui.panels.widgets.narrow import FullList, WrappedLabel
 from BalloonWorkbench.gui.panels.widgets.watch import Watch
+from BalloonWorkbench.gui.panels.widgets.wrapped_check import WrappedCheck
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, drawn_icon, number_of, translate
 from BalloonWorkbench.gui.view3d.marks import COLOURS, PlaceMarks
 from BalloonWorkbench.gui.window import macro_recorder
@@ -49,7 +50,7 @@ class AdvicePanel(TaskPanel):
         self.list.setAccessibleName(translate("Findings"))
         self.repair = QtWidgets.QPushButton()
         self.repair.setObjectName("Repair")
-        self.map = QtWidgets.QCheckBox(translate("Expected thickness"))
+        self.map = WrappedCheck(translate("Expected thickness"))
         self.map.setObjectName("ThicknessMap")
         self.legend = WrappedLabel()
         self.legend.setObjectName("Legend")

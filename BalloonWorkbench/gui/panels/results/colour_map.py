@@ -14,6 +14,7 @@ from BalloonWorkbench.core.results.colour_map import TENSION
 from BalloonWorkbench.gui.panels.widgets.narrow import ElidedCombo, WrappedLabel
 from BalloonWorkbench.gui.panels.widgets.target_file import name_of
 from BalloonWorkbench.gui.panels.widgets.watch import Watch
+from BalloonWorkbench.gui.panels.widgets.wrapped_check import WrappedCheck
 from BalloonWorkbench.gui.qt import QtWidgets, drawn_icon, translate
 from BalloonWorkbench.gui.view3d.film_map import choice_title, choices_of
 from BalloonWorkbench.gui.view3d.legend_row import OFF
@@ -46,7 +47,7 @@ class ColourMapPanel(TaskPanel):
         self.choice.setToolTip(translate("Result that is shown as colours, with a legend"))
         for entry in choices_of(parts.balloon):
             self.choice.addItem(choice_title(entry), entry)
-        self.curves = QtWidgets.QCheckBox(translate("Drawing over silhouette"))
+        self.curves = WrappedCheck(translate("Drawing over silhouette"))
         self.curves.setObjectName("CompareOutlines")
         self.curves.setToolTip(translate("Show the drawing and the silhouette over each other"))
         self.save = QtWidgets.QPushButton(translate("Save results…"))

@@ -20,6 +20,7 @@ from BalloonWorkbench.gui.panels.results.photo_marks import PictureWindow
 from BalloonWorkbench.gui.panels.widgets.file_row import FileRow
 from BalloonWorkbench.gui.panels.widgets.narrow import NarrowForm, WrappedLabel
 from BalloonWorkbench.gui.panels.widgets.watch import Watch
+from BalloonWorkbench.gui.panels.widgets.wrapped_check import WrappedCheck
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, number_of, translate
 from BalloonWorkbench.gui.window import file_dialogs, macro_recorder
 from BalloonWorkbench.gui.window.borders import TaskPanel
@@ -82,9 +83,9 @@ class ComparisonPanel(TaskPanel):
                 " folded back"
             )
         )
-        self.unknown = QtWidgets.QCheckBox(translate("Size unknown"))
+        self.unknown = WrappedCheck(translate("Size unknown"))
         self.unknown.setToolTip(translate("Only the shape is compared, at the size that fits best"))
-        self.fit = QtWidgets.QCheckBox(translate("Fit the film, too"))
+        self.fit = WrappedCheck(translate("Fit the film, too"))
         self.fit.setToolTip(
             translate("Find how much the film stretched, and how far the weld draws the seam inward")
         )
@@ -111,7 +112,7 @@ class ComparisonPanel(TaskPanel):
         self.keep.setToolTip(
             translate("A film of your own beside the balloon's, with what was found; it changes no pattern")
         )
-        self.replace = QtWidgets.QCheckBox(translate("Forget earlier photographs"))
+        self.replace = WrappedCheck(translate("Forget earlier photographs"))
         self.replace.setToolTip(
             translate("A film of this name is there already: else it gets the mean of all")
         )

@@ -11,6 +11,7 @@ import FreeCADGui as Gui
 from BalloonWorkbench.app.properties.property_table import Property
 from BalloonWorkbench.gui.panels.widgets.narrow import ElidedCombo, NarrowForm
 from BalloonWorkbench.gui.panels.widgets.whole_box import WholeBox
+from BalloonWorkbench.gui.panels.widgets.wrapped_check import WrappedCheck
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, translate
 from BalloonWorkbench.gui.window.sentences import translated
 
@@ -121,7 +122,7 @@ class Fields(QtCore.QObject):
 
     def check(self, name: str, text: str):
         """A check box for a Boolean."""
-        widget = QtWidgets.QCheckBox(text)
+        widget = WrappedCheck(text)
         self._add(name, widget, widget.setChecked)
         widget.toggled.connect(lambda value: self._write(name, value))
         return widget

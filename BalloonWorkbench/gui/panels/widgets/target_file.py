@@ -11,6 +11,7 @@ from BalloonWorkbench.app.properties import preferences
 from BalloonWorkbench.core.files.write import safe_name
 from BalloonWorkbench.gui.accessible import sign_button
 from BalloonWorkbench.gui.panels.widgets.narrow import ElidedLabel
+from BalloonWorkbench.gui.panels.widgets.wrapped_check import WrappedCheck
 from BalloonWorkbench.gui.qt import QtWidgets, translate
 
 
@@ -31,7 +32,7 @@ class TargetFile(QtWidgets.QWidget):
         browse = sign_button("…", translate("Choose a file"))
         self.place = ElidedLabel()
         self.place.setObjectName(f"{object_name}Folder")
-        self.replace = QtWidgets.QCheckBox(translate("Replace the file"))
+        self.replace = WrappedCheck(translate("Replace the file"))
         self.replace.setObjectName(f"{object_name}Replace")
         self.replace.setToolTip(translate("A file of this name is there already"))
         below = QtWidgets.QHBoxLayout()

@@ -9,6 +9,7 @@ from pathlib import Path
 from BalloonWorkbench.app.properties import preferences
 from BalloonWorkbench.gui.accessible import sign_button
 from BalloonWorkbench.gui.panels.widgets.narrow import ElidedLabel
+from BalloonWorkbench.gui.panels.widgets.wrapped_check import WrappedCheck
 from BalloonWorkbench.gui.qt import QtWidgets, translate
 
 
@@ -26,7 +27,7 @@ class TargetFolder(QtWidgets.QWidget):
         self.line.setMinimumWidth(60)
         browse = sign_button("…", translate("Choose a folder"))
         self.place = ElidedLabel()
-        self.replace = QtWidgets.QCheckBox(translate("Replace the files"))
+        self.replace = WrappedCheck(translate("Replace the files"))
         self.replace.setObjectName(f"{object_name}Replace")
         self.replace.hide()
         below = QtWidgets.QHBoxLayout()
