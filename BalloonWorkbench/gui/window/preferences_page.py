@@ -7,9 +7,9 @@ from BalloonWorkbench.app.border.guard import Guarded
 from BalloonWorkbench.app.properties import preferences
 from BalloonWorkbench.gui.accessible import name_field, sign_button
 from BalloonWorkbench.gui.panels.widgets.fields import UNITS, new_quantity_box
-from BalloonWorkbench.gui.panels.widgets.wrapped_check import WrappedCheck
 from BalloonWorkbench.gui.qt import QtWidgets, translate
 from BalloonWorkbench.gui.window.sentences import translated
+from BalloonWorkbench.gui.wrapped_check import WrappedCheck
 
 
 class PreferencesPage(Guarded):

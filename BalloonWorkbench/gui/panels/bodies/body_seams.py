@@ -25,10 +25,10 @@ from BalloonWorkbench.gui.bodies.picked_edits import cut_edit, merge_edit, move_
 from BalloonWorkbench.gui.bodies.seam_mouse import SeamMouse, SeamTool
 from BalloonWorkbench.gui.panels.widgets.fields import ReturnKey
 from BalloonWorkbench.gui.panels.widgets.narrow import FullList, WrappedLabel
-from BalloonWorkbench.gui.panels.widgets.wrapped_check import WrappedCheck
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.window.sentences import translated
 from BalloonWorkbench.gui.window.user_units import length_text
+from BalloonWorkbench.gui.wrapped_check import WrappedCheck
 
 _HIGHEST = 1_000_000  # px: the panel scrolls, not what is in it
 

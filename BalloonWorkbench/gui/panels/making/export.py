@@ -21,12 +21,12 @@ from BalloonWorkbench.gui.panels.making.machine_box import MachineBox
 from BalloonWorkbench.gui.panels.widgets.narrow import Message, NarrowCombo, NarrowForm, WrappedLabel
 from BalloonWorkbench.gui.panels.widgets.target_file import TargetFile, name_of
 from BalloonWorkbench.gui.panels.widgets.watch import Watch
-from BalloonWorkbench.gui.panels.widgets.wrapped_check import WrappedCheck
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, translate
 from BalloonWorkbench.gui.window import macro_recorder
 from BalloonWorkbench.gui.window.borders import TaskPanel, undo_step
 from BalloonWorkbench.gui.window.sentences import translated
 from BalloonWorkbench.gui.window.user_units import NOTHING, length_text, size_text
+from BalloonWorkbench.gui.wrapped_check import WrappedCheck
 
 
 class ExportPanel(TaskPanel):

@@ -25,11 +25,11 @@ from BalloonWorkbench.gui.accessible import sign_button
 from BalloonWorkbench.gui.panels.making.tab_row import TabRow
 from BalloonWorkbench.gui.panels.widgets.fields import ReturnKey
 from BalloonWorkbench.gui.panels.widgets.narrow import FullList, NarrowCombo, WrappedLabel
-from BalloonWorkbench.gui.panels.widgets.wrapped_check import WrappedCheck
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.view3d.marks import PlaceMarks
 from BalloonWorkbench.gui.window.sentences import translated
 from BalloonWorkbench.gui.window.user_units import bed_size_text, user_unit
+from BalloonWorkbench.gui.wrapped_check import WrappedCheck
 
 _HIGHEST = 160  # px, of the list of findings
 

@@ -17,10 +17,10 @@ from BalloonWorkbench.core.machines.own.keep import copied
 from BalloonWorkbench.core.units import LENGTH_UNITS
 from BalloonWorkbench.gui.panels.widgets.fields import ReturnKey
 from BalloonWorkbench.gui.panels.widgets.narrow import NarrowCombo, NarrowForm
-from BalloonWorkbench.gui.panels.widgets.wrapped_check import WrappedCheck
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.window.sentences import translated
 from BalloonWorkbench.gui.window.user_units import bed_size_text, user_unit
+from BalloonWorkbench.gui.wrapped_check import WrappedCheck
 
 _LEAST = 60  # px
 _WIDE = (TITLE.key, BED, NOTE)  # below their names; every machine has them

@@ -21,10 +21,10 @@ from BalloonWorkbench.core.machines.own.keep import (
 )
 from BalloonWorkbench.gui.panels.making.machine_form import MachineForm
 from BalloonWorkbench.gui.panels.widgets.narrow import Message, NarrowCombo, WrappedLabel
-from BalloonWorkbench.gui.panels.widgets.wrapped_check import WrappedCheck
 from BalloonWorkbench.gui.qt import QtGui, QtWidgets, icon, translate
 from BalloonWorkbench.gui.window.borders import TaskPanel
 from BalloonWorkbench.gui.window.sentences import translated
+from BalloonWorkbench.gui.wrapped_check import WrappedCheck
 
 
 @dataclass(eq=False)

@@ -18,13 +18,13 @@ from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.units import number_text, percent_text, to_mm
 from BalloonWorkbench.gui.panels.widgets.narrow import FullList, WrappedLabel
 from BalloonWorkbench.gui.panels.widgets.watch import Watch
-from BalloonWorkbench.gui.panels.widgets.wrapped_check import WrappedCheck
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, drawn_icon, number_of, translate
 from BalloonWorkbench.gui.view3d.marks import COLOURS, PlaceMarks
 from BalloonWorkbench.gui.window import macro_recorder
 from BalloonWorkbench.gui.window.borders import TaskPanel, undo_step
 from BalloonWorkbench.gui.window.sentences import translated
 from BalloonWorkbench.gui.window.user_units import length_text
+from BalloonWorkbench.gui.wrapped_check import WrappedCheck
 
 _DOT = 12  # px
 _HIGHEST = 260  # px, of the list of findings

@@ -14,7 +14,6 @@ from BalloonWorkbench.core.results.colour_map import TENSION
 from BalloonWorkbench.gui.panels.widgets.narrow import ElidedCombo, WrappedLabel
 from BalloonWorkbench.gui.panels.widgets.target_file import name_of
 from BalloonWorkbench.gui.panels.widgets.watch import Watch
-from BalloonWorkbench.gui.panels.widgets.wrapped_check import WrappedCheck
 from BalloonWorkbench.gui.qt import QtWidgets, drawn_icon, translate
 from BalloonWorkbench.gui.view3d.film_map import choice_title, choices_of
 from BalloonWorkbench.gui.view3d.legend_row import OFF
@@ -22,6 +21,7 @@ from BalloonWorkbench.gui.window import macro_recorder
 from BalloonWorkbench.gui.window.borders import TaskPanel
 from BalloonWorkbench.gui.window.file_dialogs import ask_where_to_write
 from BalloonWorkbench.gui.window.sentences import translated
+from BalloonWorkbench.gui.wrapped_check import WrappedCheck
 
 _FILES = {"vtu": "ParaView", "stl": "STL", "npz": "NumPy"}
 _STATE = ("ColourMap", "CompareOutlines", "DisplayMode", "ModeWithoutMap")

@@ -20,12 +20,12 @@ from BalloonWorkbench.gui.panels.results.photo_marks import PictureWindow
 from BalloonWorkbench.gui.panels.widgets.file_row import FileRow
 from BalloonWorkbench.gui.panels.widgets.narrow import NarrowForm, WrappedLabel
 from BalloonWorkbench.gui.panels.widgets.watch import Watch
-from BalloonWorkbench.gui.panels.widgets.wrapped_check import WrappedCheck
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, number_of, translate
 from BalloonWorkbench.gui.window import file_dialogs, macro_recorder
 from BalloonWorkbench.gui.window.borders import TaskPanel
 from BalloonWorkbench.gui.window.sentences import translated
 from BalloonWorkbench.gui.window.user_units import length_text
+from BalloonWorkbench.gui.wrapped_check import WrappedCheck
 
 _LEAST = 60  # px
 _PIXELS = 5  # digits of a length in the picture

@@ -11,9 +11,9 @@ import FreeCADGui as Gui
 from BalloonWorkbench.app.properties.property_table import Property
 from BalloonWorkbench.gui.panels.widgets.narrow import ElidedCombo, NarrowForm
 from BalloonWorkbench.gui.panels.widgets.whole_box import WholeBox
-from BalloonWorkbench.gui.panels.widgets.wrapped_check import WrappedCheck
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, translate
 from BalloonWorkbench.gui.window.sentences import translated
+from BalloonWorkbench.gui.wrapped_check import WrappedCheck
 
 _SEEN = 0.01  # mm, between what is shown and its rounded text
 _MOST = 1000  # of a whole number that is no option

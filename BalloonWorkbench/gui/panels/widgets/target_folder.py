@@ -9,8 +9,8 @@ from pathlib import Path
 from BalloonWorkbench.app.properties import preferences
 from BalloonWorkbench.gui.accessible import sign_button
 from BalloonWorkbench.gui.panels.widgets.narrow import ElidedLabel
-from BalloonWorkbench.gui.panels.widgets.wrapped_check import WrappedCheck
 from BalloonWorkbench.gui.qt import QtWidgets, translate
+from BalloonWorkbench.gui.wrapped_check import WrappedCheck
 
 
 class TargetFolder(QtWidgets.QWidget):
