@@ -11,8 +11,6 @@ from itertools import pairwise
 
 import hands
 
-from BalloonWorkbench.gui.panels.balloon.result_box import ResultBox
-
 QtCore, QtGui, QtWidgets = hands.QtCore, hands.QtGui, hands.QtWidgets
 Qt = QtCore.Qt
 
@@ -146,10 +144,7 @@ def tab_order(widgets):
 def _out_of_order(top, widgets):
     """Lines from the top, and within a line from where reading begins."""
     order = tab_order(sorted(widgets, key=lambda each: (_place(top, each).top(), _place(top, each).left())))
-    results = hands.visible(ResultBox)  # a box of its own, which may come before a page that is made later
     for one, other in pairwise(order):
-        if any(box.isAncestorOf(one) != box.isAncestorOf(other) for box in results):
-            continue
         before, after = _place(top, one), _place(top, other)
         beside = before.top() < after.bottom() and after.top() < before.bottom()
         back = after.right() <= before.left()

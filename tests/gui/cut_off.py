@@ -82,6 +82,9 @@ def _low_list(rows):
 
 
 def _narrow_field(field):
+    """Its tip may have the whole text."""
+    if field.text() and field.text() in field.toolTip():
+        return
     needed = field.fontMetrics().boundingRect(field.text() or field.placeholderText()).width() + 6
     if not field.text():  # Qt shows an ellipsis in place of the end of a hint
         needed /= _longer(field.placeholderText())

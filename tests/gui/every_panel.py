@@ -7,7 +7,11 @@ Each function yields a name while a panel, or a page of it, is on the screen, an
 import brush
 import FreeCADGui as Gui
 import hands
+from drawn_pictures import coloured, disc, drawn, png
 
+from BalloonWorkbench.app.document import create
+from BalloonWorkbench.app.outline import set_drawing
+from BalloonWorkbench.gui.outline_editor import tab as outline_tabs
 from BalloonWorkbench.gui.panels.widgets.pages import Pages
 from BalloonWorkbench.gui.pattern_view import tab as pattern_tabs
 from BalloonWorkbench.gui.window.preferences_page import PreferencesPage
@@ -142,6 +146,24 @@ def pattern_view(made):
     hands.wait_until(lambda: bool(hands.visible(pattern_tabs.PatternTab)))
     (tab,) = hands.visible(pattern_tabs.PatternTab)
     yield tab
+
+
+def outline_editor(doc, folder):
+    """The tab with the nodes of an outline from a picture, and the sliders of its tracing."""
+    path = folder / "disc.png"
+    path.write_bytes(png(coloured(drawn(disc(60, 50, 30), 120, 100, fine=3))[..., :3]))
+    outline = create.make(doc).outline
+    set_drawing(outline, path)
+    doc.recompute([outline])
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(outline)
+    hands.wait(0.3)  # from FreeCAD 1.0 on that brings the 3D view to the front
+    Gui.runCommand("BalloonWorkbench_EditOutline")
+    hands.wait_until(lambda: bool(hands.visible(outline_tabs.OutlineTab)))
+    (tab,) = hands.visible(outline_tabs.OutlineTab)
+    yield tab
+    tab.close_tab()
+    hands.wait_until(lambda: not hands.visible(outline_tabs.OutlineTab))
 
 
 def painting():

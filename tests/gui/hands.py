@@ -158,9 +158,9 @@ def click(widget, x=None):
     wait(0.05)
 
 
-def key(widget, code, text=""):
+def key(widget, code, text="", held=QtCore.Qt.NoModifier):
     for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
-        event = QtGui.QKeyEvent(kind, code, QtCore.Qt.NoModifier, text)
+        event = QtGui.QKeyEvent(kind, code, held, text)
         try:
             QtWidgets.QApplication.sendEvent(widget, event)
         except RuntimeError:  # the key has closed its panel

@@ -17,7 +17,7 @@ from BalloonWorkbench.core.geometry.polyline import bounds
 from BalloonWorkbench.core.outline_edits.nodes import CORNER, NodeDrawing
 from BalloonWorkbench.core.units import from_mm, to_mm
 from BalloonWorkbench.gui.panels.widgets.drawing_preview import picture_in
-from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, position
+from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, position, translate
 from BalloonWorkbench.gui.tabs.zoom_keys import FIT, LARGER, PULL, SMALLER, STEP
 from BalloonWorkbench.gui.tabs.zoom_view import ZoomView
 
@@ -55,6 +55,7 @@ class NodeView(ZoomView):
         super().__init__(parent)
         self.setViewportUpdateMode(QtWidgets.QGraphicsView.FullViewportUpdate)
         self.setObjectName("OutlineNodes")
+        self.setAccessibleName(translate("Nodes of the outline"))
         self.nodes: NodeDrawing | None = None
         self.chosen: list[Place] = []
         self._shown: NodeDrawing | None = None  # while nodes are dragged, else None
@@ -336,11 +337,12 @@ class NodeView(ZoomView):
             QtCore.Qt.Key_S: lambda: self._emit_chosen(self.toggled),
             QtCore.Qt.Key_Tab: self.choose_next,
             QtCore.Qt.Key_Backtab: lambda: self.choose_next(-1),
+            QtCore.Qt.Key_F6: lambda: super(NodeView, self).focusNextPrevChild(not shift),
             QtCore.Qt.Key_Escape: self._let_go,
         }.get(key)
 
     def focusNextPrevChild(self, onward):
-        """The Tab key goes to the next node."""
+        """The Tab key goes to the next node, F6 to the next widget."""
         return False
 
     def keyReleaseEvent(self, event):

@@ -68,6 +68,7 @@ class TracingSliders(QtWidgets.QWidget):
     def _slider(self, name: str):
         slider = self._sliders[name] = QtWidgets.QSlider(QtCore.Qt.Horizontal)
         slider.setObjectName("".join(map(str.capitalize, name.split("_"))))
+        slider.setAccessibleName(translate(_TITLES[name]))
         slider.setRange(0, _STEPS)
         slider.setToolTip(translated(self._options[name].text))
         slider.valueChanged.connect(lambda position, name=name: self._moved(name, position))

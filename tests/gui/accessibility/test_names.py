@@ -3,8 +3,11 @@
 
 import accessible
 import every_panel
+import hands
 import pytest
 from hands import QtWidgets
+
+Qt = hands.QtCore.Qt
 
 pytestmark = pytest.mark.usefixtures("without_figures")
 
@@ -44,6 +47,21 @@ def test_page_of_the_preferences():
 
 def test_pattern_view(made):
     told = [line for tab in every_panel.pattern_view(made) for line in accessible.faults(tab)]
+    assert not told, "\n".join(told)
+
+
+def test_outline_editor(doc, tmp_path):
+    """Tab goes to the next node in it: F6 leaves the view, and comes to its buttons with Tab."""
+    told = []
+    for tab in every_panel.outline_editor(doc, tmp_path):
+        told += accessible.faults(tab)
+        tab.view.setFocus()
+        hands.key(tab.view, Qt.Key_Tab, "\t")
+        assert tab.view.hasFocus()
+        for held in (Qt.NoModifier, Qt.ShiftModifier):
+            tab.view.setFocus()
+            hands.key(tab.view, Qt.Key_F6, "", held)
+            assert not tab.view.hasFocus()
     assert not told, "\n".join(told)
 
 

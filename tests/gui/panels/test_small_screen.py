@@ -109,6 +109,13 @@ def test_other_panels(small, speak, made, tiny_bed, language):
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
+def test_form_of_a_copied_machine(small, speak, doc, language):
+    speak(language)
+    told = look(every_panel.copied_machine(doc), language)
+    assert not told, "\n".join(told)
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
 def test_page_of_the_preferences(speak, language):
     speak(language)
     for form in every_panel.preferences_page():

@@ -36,7 +36,7 @@ from BalloonWorkbench.gui.panels.bodies.bag_box import BagBox
 from BalloonWorkbench.gui.panels.bodies.gored_box import GoredBox
 from BalloonWorkbench.gui.panels.bodies.target_box import TargetBox
 from BalloonWorkbench.gui.panels.widgets.narrow import fit_heights
-from BalloonWorkbench.gui.panels.widgets.pages import Pages
+from BalloonWorkbench.gui.panels.widgets.pages import AfterPages, Pages
 from BalloonWorkbench.gui.panels.widgets.watch import Watch
 from BalloonWorkbench.gui.qt import QtCore, drawn_icon, translate
 from BalloonWorkbench.gui.view3d.fit_view import fit_all, is_whole
@@ -98,7 +98,7 @@ class BalloonPanel(TaskPanel):
         )
         self.pages.setWindowTitle(translate("Balloon"))
         self.pages.setWindowIcon(drawn_icon("balloon"))
-        self.form = [self.pages, self.result]
+        self.form = [self.pages, AfterPages(self.pages, self.result)]
         self.soon = QtCore.QTimer(self.result)
         self.soon.setSingleShot(True)
         self.soon.setInterval(_REST)

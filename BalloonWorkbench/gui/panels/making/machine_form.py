@@ -133,5 +133,7 @@ class MachineForm(QtWidgets.QWidget):
                 field.setChecked(bool(value))
             else:
                 field.setText(bed_size_text(machine_of(self.data).bed) if entry.key == BED else value)
+                if entry.key == NOTE:  # longer than its line
+                    field.setToolTip(f"{translate(entry.tip)}\n\n{value}")
                 field.setCursorPosition(0)
                 field.setModified(False)

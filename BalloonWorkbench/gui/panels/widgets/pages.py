@@ -17,6 +17,7 @@ class Pages(QtWidgets.QWidget):
     """
 
     currentChanged = QtCore.Signal(int)
+    made = QtCore.Signal()  # a box that was not there before
 
     def __init__(self, kinds):
         super().__init__()
@@ -73,7 +74,8 @@ class Pages(QtWidgets.QWidget):
         """Turn to a page."""
         if index == self._index:
             return
-        if index not in self._boxes:
+        is_new = index not in self._boxes
+        if is_new:
             self._boxes[index] = box = self._makers[index]()
             margins = box.layout().contentsMargins()
             box.layout().setContentsMargins(0, margins.top(), 0, margins.bottom())
@@ -82,6 +84,8 @@ class Pages(QtWidgets.QWidget):
         self._buttons[index].setChecked(True)
         for number, box in self._boxes.items():
             box.setVisible(number == index)
+        if is_new:
+            self.made.emit()
         fit_heights()
         self.currentChanged.emit(index)
 
@@ -116,3 +120,30 @@ class Pages(QtWidgets.QWidget):
         for number, button in enumerate(self._buttons):
             self._tabs.removeWidget(button)
             self._tabs.addWidget(button, number // in_a_row, number % in_a_row)
+
+
+class AfterPages(QtWidgets.QWidget):
+    """Holds the box below the pages: the Tab key comes to it after them, also after those made later.
+
+    Qt appends what comes into a window to its order of Tab; the box leaves the window and comes in again.
+    QWidget.setTabOrder on the widgets of a page would end FreeCAD 1.1.
+    """
+
+    def __init__(self, pages: Pages, box: QtWidgets.QWidget):
+        super().__init__()
+        self._box = box
+        self.setWindowTitle(box.windowTitle())
+        self.setWindowIcon(box.windowIcon())
+        column = QtWidgets.QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(box)
+        pages.made.connect(self._come_last)
+
+    def _come_last(self) -> None:
+        focus = QtWidgets.QApplication.focusWidget()
+        is_inside = focus is not None and self._box.isAncestorOf(focus)
+        self._box.setParent(None)
+        self.layout().addWidget(self._box)
+        self._box.show()
+        if is_inside:
+            focus.setFocus()
