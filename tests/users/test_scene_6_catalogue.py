@@ -22,7 +22,7 @@ HEART = Path("resources/examples/pictures/heart.png").resolve()
 
 def test_scene_6_catalogue(user, story, tmp_path):
     doc = App.newDocument("Catalogue")
-    parts = create.balloon_from_sketch(doc, sketches.rectangle(doc, 120, 80), mesh_size=12, correct=False)
+    parts = create.balloon_from_sketch(doc, sketches.rectangle(doc, 120, 80), mesh_size=5, correct=False)
     doc.clearUndos()
     Gui.SendMsgToActiveView("ViewFit")
     hands.wait(0.5)
