@@ -3975,6 +3975,10 @@
         <translation>Für diese Folie gibt niemand eine Temperatur an. Machen Sie eine Testkarte: Streifen mit mehreren Temperaturen und Zeiten schweißen, auseinanderziehen, die besten behalten.</translation>
     </message>
     <message>
+        <source>Nodes of the outline</source>
+        <translation>Knoten des Umrisses</translation>
+    </message>
+    <message>
         <source>None</source>
         <translation>Keine</translation>
     </message>
@@ -7855,8 +7859,8 @@
         <translation>Die Datei schreiben, obwohl sie größer als das Bett ist</translation>
     </message>
     <message>
-        <source>Write the pieces as they lie to a PDF, in real size on pages</source>
-        <translation>Die Stücke, wie sie liegen, in wahrer Größe auf Seiten eines PDF schreiben</translation>
+        <source>Write the pieces as they lie, and the artwork if it is shown, to a PDF in real size</source>
+        <translation>Die Stücke, wie sie liegen, und die Bildvorlage, wenn sie gezeigt wird, in wahrer Größe in ein PDF schreiben</translation>
     </message>
     <message>
         <source>Write these frames as a moving picture, with the artwork, on white</source>

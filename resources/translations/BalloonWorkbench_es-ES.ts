@@ -3975,6 +3975,10 @@
         <translation>Nadie indica una temperatura para esta película. Haga una tarjeta de prueba: suelde tiras con varias temperaturas y tiempos, pélelas, quédese con la mejor.</translation>
     </message>
     <message>
+        <source>Nodes of the outline</source>
+        <translation>Nodos del contorno</translation>
+    </message>
+    <message>
         <source>None</source>
         <translation>Ninguno</translation>
     </message>
@@ -7855,8 +7859,8 @@
         <translation>Escribir el archivo aunque sea más grande que la cama</translation>
     </message>
     <message>
-        <source>Write the pieces as they lie to a PDF, in real size on pages</source>
-        <translation>Escribir las piezas como están en un PDF, a tamaño real en páginas</translation>
+        <source>Write the pieces as they lie, and the artwork if it is shown, to a PDF in real size</source>
+        <translation>Escribir las piezas como están, y la ilustración si se muestra, en un PDF a tamaño real</translation>
     </message>
     <message>
         <source>Write these frames as a moving picture, with the artwork, on white</source>

@@ -3975,6 +3975,10 @@
         <translation>Personne n'indique de température pour ce film. Faites une carte d'essai : soudez des bandes à plusieurs températures et durées, pelez-les, gardez la meilleure.</translation>
     </message>
     <message>
+        <source>Nodes of the outline</source>
+        <translation>Nœuds du contour</translation>
+    </message>
+    <message>
         <source>None</source>
         <translation>Aucune</translation>
     </message>
@@ -7855,8 +7859,8 @@
         <translation>Écrire le fichier bien qu'il soit plus grand que le plateau</translation>
     </message>
     <message>
-        <source>Write the pieces as they lie to a PDF, in real size on pages</source>
-        <translation>Écrire les pièces comme elles sont posées dans un PDF, en taille réelle sur des pages</translation>
+        <source>Write the pieces as they lie, and the artwork if it is shown, to a PDF in real size</source>
+        <translation>Écrire les pièces comme elles sont posées, avec l'illustration si elle est montrée, dans un PDF en taille réelle</translation>
     </message>
     <message>
         <source>Write these frames as a moving picture, with the artwork, on white</source>

@@ -3975,6 +3975,10 @@
         <translation>このフィルムの温度はどこにも示されていません。テストカードを作り、いろいろな温度と時間で帯を溶着し、はがして、最も良いものを残してください。</translation>
     </message>
     <message>
+        <source>Nodes of the outline</source>
+        <translation>輪郭のノード</translation>
+    </message>
+    <message>
         <source>None</source>
         <translation>なし</translation>
     </message>
@@ -7855,8 +7859,8 @@
         <translation>加工台より大きくてもファイルを書き出します</translation>
     </message>
     <message>
-        <source>Write the pieces as they lie to a PDF, in real size on pages</source>
-        <translation>並べたままの部品を、原寸で PDF のページに書き出します</translation>
+        <source>Write the pieces as they lie, and the artwork if it is shown, to a PDF in real size</source>
+        <translation>並べたままの部品を、絵柄を表示しているときは絵柄も、原寸で PDF に書き出します</translation>
     </message>
     <message>
         <source>Write these frames as a moving picture, with the artwork, on white</source>
