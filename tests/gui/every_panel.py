@@ -4,6 +4,8 @@
 Each function yields a name while a panel, or a page of it, is on the screen, and closes it afterwards.
 """
 
+import gc
+
 import brush
 import FreeCADGui as Gui
 import hands
@@ -14,6 +16,7 @@ from BalloonWorkbench.app.outline import set_drawing
 from BalloonWorkbench.gui.outline_editor import tab as outline_tabs
 from BalloonWorkbench.gui.panels.widgets.pages import Pages
 from BalloonWorkbench.gui.pattern_view import tab as pattern_tabs
+from BalloonWorkbench.gui.window.borders import TaskPanel
 from BalloonWorkbench.gui.window.preferences_page import PreferencesPage
 
 QtWidgets = hands.QtWidgets
@@ -36,8 +39,13 @@ COMMANDS = (
 )
 
 
+#: The classes of all panels that were looked at.
+looked_at: set[type] = set()
+
+
 def dock():
     """The dock with the open panel."""
+    looked_at.update(type(each) for each in gc.get_objects() if isinstance(each, TaskPanel))
     (row,) = hands.panel_buttons()
     (around,) = [each for each in hands.visible(QtWidgets.QDockWidget) if each.isAncestorOf(row)]
     return around

@@ -1,11 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Every widget of every panel has a name for a screen reader, and Tab comes to it in reading order."""
 
+import importlib
+import pkgutil
+
 import accessible
 import every_panel
 import hands
 import pytest
 from hands import QtWidgets
+
+from BalloonWorkbench import gui
+from BalloonWorkbench.gui.window.borders import TaskPanel
 
 Qt = hands.QtCore.Qt
 
@@ -38,6 +44,23 @@ def test_panels_of_new_balloons(doc):
 def test_other_panels(made):
     told = look(every_panel.others(made))
     assert not told, "\n".join(told)
+
+
+def subclasses(kind):
+    """All classes of a kind that are no base of others."""
+    own = kind.__subclasses__()
+    return set().union(*map(subclasses, own)) if own else {kind}
+
+
+def test_every_panel_was_looked_at(request):
+    """A new one has its line in every_panel.py: then its names, keys, words and colours are looked at."""
+    if not {"test_panels_of_new_balloons", "test_other_panels"} <= {
+        each.originalname for each in request.session.items
+    }:
+        pytest.skip("not all of this file is run")
+    for module in pkgutil.walk_packages(gui.__path__, f"{gui.__name__}."):
+        importlib.import_module(module.name)
+    assert subclasses(TaskPanel) == every_panel.looked_at
 
 
 def test_page_of_the_preferences():
