@@ -61,7 +61,7 @@ class _Wrapping:
         shown = "\n".join(lines)
         if shown != super().text():
             super().setText(shown)
-            self.updateGeometry()
+        self.setMinimumHeight(super().sizeHint().height())  # Qt 6 does not ask for the hint again
 
     def _beside(self) -> int:
         """What there is beside the text, px."""

@@ -79,7 +79,7 @@ def _has_own(widget, handler):
 def _is_part(widget):
     """Of what Qt and FreeCAD put around a panel and into a widget."""
     kind = widget.metaObject().className()
-    if widget.objectName().startswith("qt_") or isinstance(widget, QtWidgets.QScrollBar):
+    if widget.objectName().startswith(("qt_", "OBTN ")) or isinstance(widget, QtWidgets.QScrollBar):
         return True
     return kind.startswith(("QSint::", "Gui::TaskView", "Gui::ExpressionLabel", "QDockWidget"))
 

@@ -37,6 +37,9 @@ class CardBox(QtWidgets.QWidget):
         self._tree = kind(widget)
         self._tree.setFilter(material.filters(translate("Films"), translate("Elastic materials")))
         QtCore.QObject.connect(widget, QtCore.SIGNAL("onMaterial(QString)"), self._take_uuid)
+        for button in widget.findChildren(QtWidgets.QPushButton):
+            if not button.text():  # an arrow
+                button.setAccessibleName(translate("Choose a material card"))
         return widget
 
     def _make_list(self):
