@@ -4875,10 +4875,6 @@
         <translation>Um Stücke bis</translation>
     </message>
     <message>
-        <source>Round the print the marks span</source>
-        <translation>Um den Druck, den die Marken umfassen</translation>
-    </message>
-    <message>
         <source>Round this hole the balloon may kink: with a weld creased to {percent} of its stiffness the outline moves by up to {length}; with one {wanted} wide, creased as much, by {less}.</source>
         <translation>Um dieses Loch kann der Ballon einknicken: Mit einer Naht, die geknittert nur {percent} ihrer Steifigkeit behält, verschiebt sich der Umriss um bis zu {length}; mit einer {wanted} breiten, ebenso geknitterten um {less}.</translation>
     </message>
@@ -6323,6 +6319,10 @@
         <translation>Die Maschine, die den Druck an seinen Passermarken wiederfindet, die um ihn gedruckt werden</translation>
     </message>
     <message>
+        <source>The marks round the print span {0}, and {1} takes at most {2}: make the balloon smaller, or print and cut it on another machine.</source>
+        <translation>Die Marken um den Druck spannen {0}, und {1} nimmt höchstens {2}: machen Sie den Ballon kleiner oder drucken und schneiden Sie ihn auf einer anderen Maschine.</translation>
+    </message>
+    <message>
         <source>The mesh has a triangle with a point that is not there. Save it once more.</source>
         <translation>Das Netz hat ein Dreieck mit einem Punkt, den es nicht gibt. Noch einmal speichern.</translation>
     </message>
@@ -6511,7 +6511,7 @@
         <translation>Das Schnittmuster wird an das Gemalte angepasst ...</translation>
     </message>
     <message>
-        <source>The pattern measures {0}, the bed of {1} {2}</source>
+        <source>The pattern measures {0}, the bed of {1} is {2}</source>
         <translation>Das Schnittmuster misst {0}, das Bett von {1} {2}</translation>
     </message>
     <message>
@@ -6603,12 +6603,12 @@
         <translation>Der Druck hat {0}, und {1} sucht andere: drucken Sie noch einmal mit deren Marken ({2}).</translation>
     </message>
     <message>
-        <source>The print measures</source>
-        <translation>Der Druck misst</translation>
-    </message>
-    <message>
         <source>The print measures {0}, and between the marks of {1} there are {2} on paper of {3}: make the balloon smaller, or give larger paper as page_mm of the marks in a file of your machine.</source>
         <translation>Der Druck misst {0}, und zwischen den Marken von {1} sind {2} auf Papier von {3}: machen Sie den Ballon kleiner oder geben Sie größeres Papier als page_mm der Marken in einer Datei Ihrer Maschine.</translation>
+    </message>
+    <message>
+        <source>The print measures {0}, and {1} takes at most {2}: make the balloon smaller, or print and cut it on another machine.</source>
+        <translation>Der Druck misst {0}, und {1} nimmt höchstens {2}: machen Sie den Ballon kleiner oder drucken und schneiden Sie ihn auf einer anderen Maschine.</translation>
     </message>
     <message>
         <source>The print on film</source>
@@ -6939,7 +6939,7 @@
         <translation>Die Temperatur ({0}) von {1} Grad Celsius ist außerhalb des Bereichs: zum Beispiel 20C angeben.</translation>
     </message>
     <message>
-        <source>The test card measures {0}, the bed of {1} {2}: try fewer values, or say with --bed how large it is.</source>
+        <source>The test card measures {0}, the bed of {1} is {2}: try fewer values, or say with --bed how large it is.</source>
         <translation>Die Testkarte misst {0}, die Fläche von {1} {2}: Versuchen Sie weniger Werte, oder sagen Sie mit --bed, wie groß sie ist.</translation>
     </message>
     <message>
@@ -7023,6 +7023,10 @@
         <translation>Das Ziel ({0}) wurde um {1} verfehlt: es um ebenso viel berichtigen.</translation>
     </message>
     <message>
+        <source>The {0} is {1}, not between {2} and {3} {4}: give one such as {5}.</source>
+        <translation>Der Wert ({0}) ist {1} und liegt nicht zwischen {2} und {3} {4}: zum Beispiel {5} angeben.</translation>
+    </message>
+    <message>
         <source>The {0} line crosses itself near {1}: simplify the drawing there.</source>
         <translation>Die Linie {0} kreuzt sich nahe {1}: die Zeichnung dort vereinfachen.</translation>
     </message>
@@ -7045,10 +7049,6 @@
     <message>
         <source>The {0} strays by {1} % in sample {2}, which leaves nothing of it: give a smaller spread.</source>
         <translation>In Stichprobe {2} weicht ein Wert um {1} % ab, sodass nichts übrig bleibt ({0}): eine kleinere Streuung angeben.</translation>
-    </message>
-    <message>
-        <source>The {0} {1} is not between {2} and {3} {4}: give one such as {5}.</source>
-        <translation>Der Wert ({0}) {1} liegt nicht zwischen {2} und {3} {4}: zum Beispiel {5} angeben.</translation>
     </message>
     <message>
         <source>Their depth</source>
@@ -9319,7 +9319,7 @@
         <translation>{0} ist eine zu große Zahl oder keine</translation>
     </message>
     <message>
-        <source>{0} is {1} long, {2} {3}: make them equally long.</source>
+        <source>{0} is {1} long, {2} is {3}: make them equally long.</source>
         <translation>{0} ist {1} lang, {2} {3}: beide gleich lang machen.</translation>
     </message>
     <message>
@@ -9525,10 +9525,6 @@
     <message>
         <source>{0} with valve {1}</source>
         <translation>{0} mit Ventil von {1}</translation>
-    </message>
-    <message>
-        <source>{0} {1}, and {2} takes at most {3}: make the balloon smaller, or print and cut it on another machine.</source>
-        <translation>{0} {1}, und {2} nimmt höchstens {3}: machen Sie den Ballon kleiner oder drucken und schneiden Sie ihn auf einer anderen Maschine.</translation>
     </message>
     <message>
         <source>{0}, inflated: {1}</source>

@@ -4875,10 +4875,6 @@
         <translation>En piezas de hasta</translation>
     </message>
     <message>
-        <source>Round the print the marks span</source>
-        <translation>Alrededor de la impresión las marcas abarcan</translation>
-    </message>
-    <message>
         <source>Round this hole the balloon may kink: with a weld creased to {percent} of its stiffness the outline moves by up to {length}; with one {wanted} wide, creased as much, by {less}.</source>
         <translation>Alrededor de este agujero el globo puede doblarse: con una soldadura arrugada que solo conserva el {percent} de su rigidez, el contorno se mueve hasta {length}; con una de {wanted} de ancho, igual de arrugada, {less}.</translation>
     </message>
@@ -6323,6 +6319,10 @@
         <translation>La máquina que vuelve a encontrar la impresión por sus marcas de registro, impresas a su alrededor</translation>
     </message>
     <message>
+        <source>The marks round the print span {0}, and {1} takes at most {2}: make the balloon smaller, or print and cut it on another machine.</source>
+        <translation>Las marcas alrededor de la impresión abarcan {0}, y {1} admite {2} como mucho: reduzca el globo, o imprímalo y córtelo en otra máquina.</translation>
+    </message>
+    <message>
         <source>The mesh has a triangle with a point that is not there. Save it once more.</source>
         <translation>La malla tiene un triángulo con un punto que no existe. Guárdela de nuevo.</translation>
     </message>
@@ -6511,7 +6511,7 @@
         <translation>El patrón se está ajustando a la pintura ...</translation>
     </message>
     <message>
-        <source>The pattern measures {0}, the bed of {1} {2}</source>
+        <source>The pattern measures {0}, the bed of {1} is {2}</source>
         <translation>El patrón mide {0}, la cama de {1} {2}</translation>
     </message>
     <message>
@@ -6603,12 +6603,12 @@
         <translation>La impresión tiene {0}, y {1} busca otras: imprima otra vez con sus marcas ({2}).</translation>
     </message>
     <message>
-        <source>The print measures</source>
-        <translation>La impresión mide</translation>
-    </message>
-    <message>
         <source>The print measures {0}, and between the marks of {1} there are {2} on paper of {3}: make the balloon smaller, or give larger paper as page_mm of the marks in a file of your machine.</source>
         <translation>La impresión mide {0}, y entre las marcas de {1} hay {2} en papel de {3}: reduzca el globo, o indique un papel mayor como page_mm de las marcas en un archivo de su máquina.</translation>
+    </message>
+    <message>
+        <source>The print measures {0}, and {1} takes at most {2}: make the balloon smaller, or print and cut it on another machine.</source>
+        <translation>La impresión mide {0}, y {1} admite {2} como mucho: reduzca el globo, o imprímalo y córtelo en otra máquina.</translation>
     </message>
     <message>
         <source>The print on film</source>
@@ -6939,7 +6939,7 @@
         <translation>La temperatura ({0}) de {1} grados Celsius está fuera de rango: indique por ejemplo 20C.</translation>
     </message>
     <message>
-        <source>The test card measures {0}, the bed of {1} {2}: try fewer values, or say with --bed how large it is.</source>
+        <source>The test card measures {0}, the bed of {1} is {2}: try fewer values, or say with --bed how large it is.</source>
         <translation>La tarjeta de prueba mide {0}, la mesa de {1} {2}: pruebe menos valores, o diga con --bed su tamaño.</translation>
     </message>
     <message>
@@ -7023,6 +7023,10 @@
         <translation>El objetivo ({0}) se desvió un {1}: corríjalo en la misma medida.</translation>
     </message>
     <message>
+        <source>The {0} is {1}, not between {2} and {3} {4}: give one such as {5}.</source>
+        <translation>El valor ({0}) es {1}, no está entre {2} y {3} {4}: indique por ejemplo {5}.</translation>
+    </message>
+    <message>
         <source>The {0} line crosses itself near {1}: simplify the drawing there.</source>
         <translation>La línea {0} se cruza cerca de {1}: simplifique ahí el dibujo.</translation>
     </message>
@@ -7045,10 +7049,6 @@
     <message>
         <source>The {0} strays by {1} % in sample {2}, which leaves nothing of it: give a smaller spread.</source>
         <translation>En la muestra {2} el desvío es del {1} % y no deja nada ({0}): indique una dispersión menor.</translation>
-    </message>
-    <message>
-        <source>The {0} {1} is not between {2} and {3} {4}: give one such as {5}.</source>
-        <translation>El valor ({0}) {1} no está entre {2} y {3} {4}: indique por ejemplo {5}.</translation>
     </message>
     <message>
         <source>Their depth</source>
@@ -9319,7 +9319,7 @@
         <translation>{0} es un número demasiado grande, o no es un número</translation>
     </message>
     <message>
-        <source>{0} is {1} long, {2} {3}: make them equally long.</source>
+        <source>{0} is {1} long, {2} is {3}: make them equally long.</source>
         <translation>{0} mide {1}, {2} {3}: hágalos igual de largos.</translation>
     </message>
     <message>
@@ -9525,10 +9525,6 @@
     <message>
         <source>{0} with valve {1}</source>
         <translation>{0} con válvula de {1}</translation>
-    </message>
-    <message>
-        <source>{0} {1}, and {2} takes at most {3}: make the balloon smaller, or print and cut it on another machine.</source>
-        <translation>{0} {1}, y {2} admite {3} como mucho: reduzca el globo, o imprímalo y córtelo en otra máquina.</translation>
     </message>
     <message>
         <source>{0}, inflated: {1}</source>

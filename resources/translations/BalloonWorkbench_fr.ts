@@ -4875,10 +4875,6 @@
         <translation>Autour des pièces jusqu'à</translation>
     </message>
     <message>
-        <source>Round the print the marks span</source>
-        <translation>Autour de l'impression, les repères occupent</translation>
-    </message>
-    <message>
         <source>Round this hole the balloon may kink: with a weld creased to {percent} of its stiffness the outline moves by up to {length}; with one {wanted} wide, creased as much, by {less}.</source>
         <translation>Autour de ce trou, le ballon peut se couder : avec une soudure froissée qui ne garde que {percent} de sa rigidité, le contour se déplace jusqu'à {length} ; avec une soudure large de {wanted}, froissée autant, de {less}.</translation>
     </message>
@@ -6323,6 +6319,10 @@
         <translation>La machine qui retrouve l'impression par les repères imprimés autour</translation>
     </message>
     <message>
+        <source>The marks round the print span {0}, and {1} takes at most {2}: make the balloon smaller, or print and cut it on another machine.</source>
+        <translation>Les repères autour de l'impression couvrent {0}, et {1} prend au plus {2} : réduisez le ballon, ou imprimez-le et coupez-le sur une autre machine.</translation>
+    </message>
+    <message>
         <source>The mesh has a triangle with a point that is not there. Save it once more.</source>
         <translation>Le maillage a un triangle avec un point qui n'existe pas. Enregistrez-le à nouveau.</translation>
     </message>
@@ -6511,7 +6511,7 @@
         <translation>Le patron est ajusté à la peinture ...</translation>
     </message>
     <message>
-        <source>The pattern measures {0}, the bed of {1} {2}</source>
+        <source>The pattern measures {0}, the bed of {1} is {2}</source>
         <translation>Le patron mesure {0}, le plateau de {1} {2}</translation>
     </message>
     <message>
@@ -6603,12 +6603,12 @@
         <translation>L'impression a {0}, et {1} en cherche d'autres : imprimez à nouveau avec ses repères ({2}).</translation>
     </message>
     <message>
-        <source>The print measures</source>
-        <translation>L'impression mesure</translation>
-    </message>
-    <message>
         <source>The print measures {0}, and between the marks of {1} there are {2} on paper of {3}: make the balloon smaller, or give larger paper as page_mm of the marks in a file of your machine.</source>
         <translation>L'impression mesure {0}, et entre les repères de {1} il y a {2} sur un papier de {3} : réduisez le ballon, ou donnez un plus grand papier comme page_mm des repères dans un fichier de votre machine.</translation>
+    </message>
+    <message>
+        <source>The print measures {0}, and {1} takes at most {2}: make the balloon smaller, or print and cut it on another machine.</source>
+        <translation>L'impression mesure {0}, et {1} prend au plus {2} : réduisez le ballon, ou imprimez-le et coupez-le sur une autre machine.</translation>
     </message>
     <message>
         <source>The print on film</source>
@@ -6939,7 +6939,7 @@
         <translation>La température ({0}) de {1} degrés Celsius est hors limites : donnez par exemple 20C.</translation>
     </message>
     <message>
-        <source>The test card measures {0}, the bed of {1} {2}: try fewer values, or say with --bed how large it is.</source>
+        <source>The test card measures {0}, the bed of {1} is {2}: try fewer values, or say with --bed how large it is.</source>
         <translation>La carte d'essai mesure {0}, le plateau de {1} {2} : essayez moins de valeurs, ou dites avec --bed quelle est sa taille.</translation>
     </message>
     <message>
@@ -7023,6 +7023,10 @@
         <translation>Le but ({0}) est manqué de {1} : corrigez-le d'autant.</translation>
     </message>
     <message>
+        <source>The {0} is {1}, not between {2} and {3} {4}: give one such as {5}.</source>
+        <translation>La valeur ({0}) est {1}, pas entre {2} et {3} {4} : donnez par exemple {5}.</translation>
+    </message>
+    <message>
         <source>The {0} line crosses itself near {1}: simplify the drawing there.</source>
         <translation>La ligne {0} se croise près de {1} : simplifiez-y le dessin.</translation>
     </message>
@@ -7045,10 +7049,6 @@
     <message>
         <source>The {0} strays by {1} % in sample {2}, which leaves nothing of it: give a smaller spread.</source>
         <translation>Dans l'échantillon {2}, l'écart est de {1} % et ne laisse rien ({0}) : donnez une dispersion plus petite.</translation>
-    </message>
-    <message>
-        <source>The {0} {1} is not between {2} and {3} {4}: give one such as {5}.</source>
-        <translation>La valeur ({0}) {1} n'est pas entre {2} et {3} {4} : donnez par exemple {5}.</translation>
     </message>
     <message>
         <source>Their depth</source>
@@ -9319,7 +9319,7 @@
         <translation>{0} est un nombre trop grand, ou n'en est pas un</translation>
     </message>
     <message>
-        <source>{0} is {1} long, {2} {3}: make them equally long.</source>
+        <source>{0} is {1} long, {2} is {3}: make them equally long.</source>
         <translation>{0} mesure {1}, {2} {3} : donnez-leur la même longueur.</translation>
     </message>
     <message>
@@ -9525,10 +9525,6 @@
     <message>
         <source>{0} with valve {1}</source>
         <translation>{0} avec une valve de {1}</translation>
-    </message>
-    <message>
-        <source>{0} {1}, and {2} takes at most {3}: make the balloon smaller, or print and cut it on another machine.</source>
-        <translation>{0} {1}, et {2} prend au plus {3} : réduisez le ballon, ou imprimez-le et coupez-le sur une autre machine.</translation>
     </message>
     <message>
         <source>{0}, inflated: {1}</source>

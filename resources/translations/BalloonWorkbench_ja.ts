@@ -4875,10 +4875,6 @@
         <translation>タブを付ける部品の上限</translation>
     </message>
     <message>
-        <source>Round the print the marks span</source>
-        <translation>印が囲む、印刷のまわりの範囲</translation>
-    </message>
-    <message>
         <source>Round this hole the balloon may kink: with a weld creased to {percent} of its stiffness the outline moves by up to {length}; with one {wanted} wide, creased as much, by {less}.</source>
         <translation>この穴のまわりで風船が折れ曲がることがあります。溶着線がしわで剛性の {percent} しか保たないと、輪郭が最大 {length} 動きます。幅 {wanted} の溶着線なら、同じだけしわが寄っても {less} です。</translation>
     </message>
@@ -6323,6 +6319,10 @@
         <translation>まわりに印刷した位置合わせの印で、印刷を見つける機械</translation>
     </message>
     <message>
+        <source>The marks round the print span {0}, and {1} takes at most {2}: make the balloon smaller, or print and cut it on another machine.</source>
+        <translation>印刷を囲むマークは {0} ですが、{1} で扱えるのは {2} までです。風船を小さくするか、別の機械で印刷して切ってください。</translation>
+    </message>
+    <message>
         <source>The mesh has a triangle with a point that is not there. Save it once more.</source>
         <translation>メッシュに、存在しない点をもつ三角形があります。保存し直してください。</translation>
     </message>
@@ -6511,7 +6511,7 @@
         <translation>型紙を絵に合わせています…</translation>
     </message>
     <message>
-        <source>The pattern measures {0}, the bed of {1} {2}</source>
+        <source>The pattern measures {0}, the bed of {1} is {2}</source>
         <translation>型紙は {0}、{1} の加工台は {2} です</translation>
     </message>
     <message>
@@ -6603,12 +6603,12 @@
         <translation>印刷にあるのは{0}ですが、{1} は別の印を探します。その印（{2}）でもう一度印刷してください。</translation>
     </message>
     <message>
-        <source>The print measures</source>
-        <translation>印刷の大きさ</translation>
-    </message>
-    <message>
         <source>The print measures {0}, and between the marks of {1} there are {2} on paper of {3}: make the balloon smaller, or give larger paper as page_mm of the marks in a file of your machine.</source>
         <translation>印刷の大きさは {0} ですが、{3} の用紙では {1} の印の間が {2} です。風船を小さくするか、自分の機械のファイルの印の page_mm でもっと大きい用紙を指定してください。</translation>
+    </message>
+    <message>
+        <source>The print measures {0}, and {1} takes at most {2}: make the balloon smaller, or print and cut it on another machine.</source>
+        <translation>印刷は {0} ですが、{1} で扱えるのは {2} までです。風船を小さくするか、別の機械で印刷して切ってください。</translation>
     </message>
     <message>
         <source>The print on film</source>
@@ -6939,7 +6939,7 @@
         <translation>温度（{0}）{1} ℃ は範囲外です。20C のように指定してください。</translation>
     </message>
     <message>
-        <source>The test card measures {0}, the bed of {1} {2}: try fewer values, or say with --bed how large it is.</source>
+        <source>The test card measures {0}, the bed of {1} is {2}: try fewer values, or say with --bed how large it is.</source>
         <translation>テストカードは {0}、{1} の加工範囲は {2} です: 値を減らすか、--bed で大きさを指定してください。</translation>
     </message>
     <message>
@@ -7023,6 +7023,10 @@
         <translation>目標（{0}）から {1} ずれました。その分だけ目標を直してください。</translation>
     </message>
     <message>
+        <source>The {0} is {1}, not between {2} and {3} {4}: give one such as {5}.</source>
+        <translation>値（{0}）は {1} で、{2}～{3} {4} の範囲にありません。{5} のように指定してください。</translation>
+    </message>
+    <message>
         <source>The {0} line crosses itself near {1}: simplify the drawing there.</source>
         <translation>{0} の線が {1} 付近で交わります。そこの図を簡単にしてください。</translation>
     </message>
@@ -7045,10 +7049,6 @@
     <message>
         <source>The {0} strays by {1} % in sample {2}, which leaves nothing of it: give a smaller spread.</source>
         <translation>サンプル {2} で{0}が {1} % ずれ、何も残りません。ばらつきを小さくしてください。</translation>
-    </message>
-    <message>
-        <source>The {0} {1} is not between {2} and {3} {4}: give one such as {5}.</source>
-        <translation>値（{0}）{1} は {2}～{3} {4} の範囲にありません。{5} のように指定してください。</translation>
     </message>
     <message>
         <source>Their depth</source>
@@ -9319,7 +9319,7 @@
         <translation>{0} は大きすぎるか、数ではありません</translation>
     </message>
     <message>
-        <source>{0} is {1} long, {2} {3}: make them equally long.</source>
+        <source>{0} is {1} long, {2} is {3}: make them equally long.</source>
         <translation>{0} の長さは {1}、{2} は {3} です。同じ長さにしてください。</translation>
     </message>
     <message>
@@ -9525,10 +9525,6 @@
     <message>
         <source>{0} with valve {1}</source>
         <translation>{0}（弁 {1} を含む）</translation>
-    </message>
-    <message>
-        <source>{0} {1}, and {2} takes at most {3}: make the balloon smaller, or print and cut it on another machine.</source>
-        <translation>{0} {1} ですが、{2} で扱えるのは {3} までです。風船を小さくするか、別の機械で印刷して切ってください。</translation>
     </message>
     <message>
         <source>{0}, inflated: {1}</source>

@@ -212,7 +212,7 @@ def test_what_is_too_large_in_one_piece_is_laid_out_on_film(
     assert names == {"nested-pattern-lightburn_mm.dxf", "nested-2-pattern-lightburn_mm.dxf"}
     assert "Note: No file for LightBurn (laser): The pattern measures" in capsys.readouterr().out
     assert main([*asked, "--nest", "1mx1m"]) == 2
-    assert "the bed of LightBurn (laser) 330 x 330 mm" in capsys.readouterr().err
+    assert "the bed of LightBurn (laser) is 330 x 330 mm" in capsys.readouterr().err
 
 
 @pytest.mark.usefixtures("with_freecad")

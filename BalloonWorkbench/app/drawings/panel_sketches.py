@@ -209,7 +209,7 @@ def unequal(drawn: DrawnBag) -> list[str]:
         one, _, other = seam.partition("=")
         if abs(a - b) > max(max(RELATIVE_EASE, ease) * max(a, b), EASE):
             sentences.append(
-                f"{one} is {length_text(a)} long, {other} {length_text(b)}: make them equally long."
+                f"{one} is {length_text(a)} long, {other} is {length_text(b)}: make them equally long."
             )
     return sentences
 

@@ -215,7 +215,7 @@ def _poisson(value: float) -> float:
 def _within(value: float, low: float, high: float, what: str, unit: str, example: str) -> float:
     if not low <= value <= high:  # NaN fails too
         raise InputError(
-            f"The {what} {number_text(value)} is not between {number_text(low)} and {number_text(high)}"
+            f"The {what} is {number_text(value)}, not between {number_text(low)} and {number_text(high)}"
             f" {unit}:"
             f" give one such as {example}."
         )

@@ -266,7 +266,7 @@ def _size(pattern: Pattern, machine: Machine, oversize: str) -> list[PreflightFi
     if machine.bed is None or fits_upright(pattern, machine):
         return []
     size, bed = _both(*size_on(pattern, machine).tolist()), _both(*machine.bed)
-    sizes = f"The pattern measures {size}, the bed of {machine.title} {bed}"
+    sizes = f"The pattern measures {size}, the bed of {machine.title} is {bed}"
     if fits_turned(pattern, machine):
         turn = (
             "turn the pattern by 90 degrees there"

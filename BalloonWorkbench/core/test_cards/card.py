@@ -149,6 +149,6 @@ def _fitting(card: SettingsCard, machine: Machine) -> SettingsCard:
     if machine.bed is not None and any(side > room for side, room in zip(card.size, machine.bed)):
         raise InputError(
             f"The test card measures {size_text(*card.size)}, the bed of {machine.title}"
-            f" {bed_text(machine.bed)}: try fewer values, or say with --bed how large it is."
+            f" is {bed_text(machine.bed)}: try fewer values, or say with --bed how large it is."
         )
     return card

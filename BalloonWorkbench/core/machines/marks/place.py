@@ -114,10 +114,13 @@ def _frame(sheet: Pattern, marks: Marks) -> tuple[_Frame, _Frame]:
                 " machine."
             )
     if marks.most is not None and (frame.size > np.array(marks.most) + _HAIR).any():
-        what = "The print measures" if marks.style == NONE else "Round the print the marks span"
+        size, most = size_text(*frame.size), size_text(*marks.most)
         raise MarksError(
-            f"{what} {size_text(*frame.size)}, and {marks.owner[0]} takes at most {size_text(*marks.most)}:"
-            " make the balloon smaller, or print and cut it on another machine."
+            f"The print measures {size}, and {marks.owner[0]} takes at most {most}: make the balloon smaller,"
+            " or print and cut it on another machine."
+            if marks.style == NONE
+            else f"The marks round the print span {size}, and {marks.owner[0]} takes at most {most}: make the"
+            " balloon smaller, or print and cut it on another machine."
         )
     return frame, page
 
