@@ -205,6 +205,7 @@ def test_scene_4_digit(user, story):
     steps.inflated()
     story.step("two-panels")
     user.button("SideBand")
+    story.step("band-rows")
     user.replace(hands.find("Band"), "60 mm")
     hands.wait_until(lambda: doc.Balloon.PanelCount >= 3, 120)
     steps.inflated(120)

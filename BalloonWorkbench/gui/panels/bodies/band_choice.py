@@ -62,6 +62,7 @@ class BandChoice(QtCore.QObject):
         (self.banded if banded else self.plain).setChecked(True)
         for item in properties_of(BandOptions):
             self._form.show_row(item.name, banded and offered)
+        fit_heights()
         if offered and balloon.Outline is not None and status.is_ready(balloon.Outline):
             self._sketch()
 
