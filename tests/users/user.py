@@ -93,6 +93,7 @@ class User:
         """What is in a field or number box becomes another text."""
         show(field)
         line = field if isinstance(field, QtWidgets.QLineEdit) else field.findChild(QtWidgets.QLineEdit)
+        _resting(line)
         self.click(line.mapToGlobal(QtCore.QPoint(12, line.height() // 2)))
         self.key("Ctrl", "a")
         self.write(text)
