@@ -114,13 +114,13 @@ def _frame(sheet: Pattern, marks: Marks) -> tuple[_Frame, _Frame]:
                 " machine."
             )
     if marks.most is not None and (frame.size > np.array(marks.most) + _HAIR).any():
-        size, most = size_text(*frame.size), size_text(*marks.most)
+        measured, largest = size_text(*frame.size), size_text(*marks.most)
         raise MarksError(
-            f"The print measures {size}, and {marks.owner[0]} takes at most {most}: make the balloon smaller,"
-            " or print and cut it on another machine."
+            f"The print measures {measured}, and {marks.owner[0]} takes at most {largest}: make the balloon"
+            " smaller, or print and cut it on another machine."
             if marks.style == NONE
-            else f"The marks round the print span {size}, and {marks.owner[0]} takes at most {most}: make the"
-            " balloon smaller, or print and cut it on another machine."
+            else f"The marks round the print span {measured}, and {marks.owner[0]} takes at most {largest}: make"
+            " the balloon smaller, or print and cut it on another machine."
         )
     return frame, page
 
