@@ -119,8 +119,8 @@ def _frame(sheet: Pattern, marks: Marks) -> tuple[_Frame, _Frame]:
             f"The print measures {measured}, and {marks.owner[0]} takes at most {largest}: make the balloon"
             " smaller, or print and cut it on another machine."
             if marks.style == NONE
-            else f"The marks round the print span {measured}, and {marks.owner[0]} takes at most {largest}: make"
-            " the balloon smaller, or print and cut it on another machine."
+            else f"The marks round the print span {measured}, and {marks.owner[0]} takes at most {largest}:"
+            " make the balloon smaller, or print and cut it on another machine."
         )
     return frame, page
 
