@@ -94,7 +94,7 @@ def test_wrong_lengths_are_told_by_name_and_mended(doc, drum):
     doc.recompute()
     told = made.outline.Status
     assert told.startswith("stale: Lower.Edge1 is 628")
-    assert "Rectangle.Edge1 600" in told
+    assert "Rectangle.Edge1 is 600" in told
     assert len(made.outline.Problems) == 2
     assert made.outline.SeamLengths[1] == pytest.approx(600)
     assert made.balloon.Status.startswith("stale: ")
