@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import gc
 from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import cache
@@ -52,6 +53,17 @@ def painter_on(widget) -> Iterator:
         yield painter
     finally:
         painter.end()
+
+
+def widgets_of(kind) -> list:
+    """All widgets of a kind. Python's collector waits: it would delete some that Qt has just listed."""
+    collecting = gc.isenabled()  # not while a worker runs
+    gc.disable()
+    try:
+        return [each for each in QtWidgets.QApplication.allWidgets() if isinstance(each, kind)]
+    finally:
+        if collecting:
+            gc.enable()
 
 
 def number_of(buttons) -> int:

@@ -36,9 +36,7 @@ class _Wrapping:
 
     def sizeHint(self):
         """As wide as without new lines, as high as with them."""
-        return QtCore.QSize(
-            self._beside() + self._widest(self._whole.split("\n")), super().sizeHint().height()
-        )
+        return self._size_for(self._whole.split("\n"))
 
     def minimumSizeHint(self):
         """As wide as the longest word."""

@@ -9295,6 +9295,10 @@
         <translation>{0} wird nicht mit Wärme verbunden: {1} ist nicht dafür gemacht.</translation>
     </message>
     <message>
+        <source>{0} is not printed on {1}: take an artwork of this pattern.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} is not up to date. {1}</source>
         <translation>{0} ist nicht aktuell. {1}</translation>
     </message>

@@ -9295,6 +9295,10 @@
         <translation>{0} no se une con calor: {1} no está hecho para ello.</translation>
     </message>
     <message>
+        <source>{0} is not printed on {1}: take an artwork of this pattern.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} is not up to date. {1}</source>
         <translation>{0} no está al día. {1}</translation>
     </message>

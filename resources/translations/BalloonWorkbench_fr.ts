@@ -9295,6 +9295,10 @@
         <translation>{0} ne s'assemble pas à chaud : {1} n'est pas fait pour cela.</translation>
     </message>
     <message>
+        <source>{0} is not printed on {1}: take an artwork of this pattern.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} is not up to date. {1}</source>
         <translation>{0} n'est pas à jour. {1}</translation>
     </message>

@@ -9295,6 +9295,10 @@
         <translation>{0} は熱で接合しません。{1} はそのための機械ではありません。</translation>
     </message>
     <message>
+        <source>{0} is not printed on {1}: take an artwork of this pattern.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} is not up to date. {1}</source>
         <translation>{0} は最新ではありません。{1}</translation>
     </message>

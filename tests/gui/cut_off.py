@@ -24,7 +24,13 @@ def faults(top):
     return [
         line
         for widget in widgets
-        for line in (*_narrow(widget), *_outside(widget, areas), *_scrolls(widget, areas), *_address(widget))
+        for line in (
+            *_narrow(widget),
+            *_outside(widget, areas),
+            *_scrolls(widget, areas),
+            *_address(widget),
+            *_below(widget, widgets, areas),
+        )
     ]
 
 
@@ -136,6 +142,20 @@ def _outside(widget, areas):
         left = widget.mapTo(port, QtCore.QPoint(0, 0)).x()
         if left < -_SLACK or left + widget.width() > port.width() + _SLACK:
             yield f"{_name(widget)} reaches out of its area: {left} + {widget.width()} px of {port.width()}"
+            return
+
+
+def _below(widget, widgets, areas):
+    """Lower than what it is in, which cuts it off without a bar that scrolls."""
+    if not isinstance(widget, (QtWidgets.QAbstractButton, QtWidgets.QLabel, QtWidgets.QLineEdit)):
+        return
+    for around in widgets:
+        inner = any(around.isAncestorOf(area) and area.isAncestorOf(widget) for area in areas)
+        if not around.isAncestorOf(widget) or inner or around.objectName() == "qt_scrollarea_viewport":
+            continue
+        low = widget.mapTo(around, QtCore.QPoint(0, widget.height())).y()
+        if low > around.height() + _SLACK and around not in areas:
+            yield f"{_name(widget)} is cut off below: {around.height()} px of {low}"
             return
 
 

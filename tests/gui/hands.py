@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What a user does: look, wait, click and type; with real events, in the real window."""
 
-import gc
 import os
 import threading
 import time
@@ -15,6 +14,7 @@ from BalloonWorkbench.gui.long_work import blocking
 from BalloonWorkbench.gui.long_work.worker import Worker
 from BalloonWorkbench.gui.panels.widgets.fields import Fields
 from BalloonWorkbench.gui.panels.widgets.pages import Pages
+from BalloonWorkbench.gui.qt import widgets_of
 
 QtCore, QtGui, QtWidgets = qt()
 
@@ -99,16 +99,8 @@ def visible(kind):
     """The widgets of a kind that can be seen.
 
     Not by findChildren of the main window: it would keep the Python shells of widgets that are deleted later.
-    Python's collector has to wait: it deletes widgets that Qt has just listed.
     """
-    collecting = gc.isenabled()  # not while a worker runs
-    gc.disable()
-    try:
-        widgets = QtWidgets.QApplication.allWidgets()
-    finally:
-        if collecting:
-            gc.enable()
-    return [widget for widget in widgets if isinstance(widget, kind) and widget.isVisible()]
+    return [widget for widget in widgets_of(kind) if widget.isVisible()]
 
 
 def find(name):

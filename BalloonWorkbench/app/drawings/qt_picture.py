@@ -22,16 +22,23 @@ except ImportError:
 _MEGABYTES = 512
 
 
+def picture_reader(source):
+    """A QImageReader of a path or a device: it takes pictures as large as ours may be, and holds them upright
+    by the camera's note."""
+    reader = QtGui.QImageReader(source)
+    reader.setAutoTransform(True)
+    reader.setDecideFormatFromContent(True)
+    if hasattr(reader, "setAllocationLimit"):
+        reader.setAllocationLimit(_MEGABYTES)
+    return reader
+
+
 def decode(path: str | os.PathLike[str]) -> np.ndarray:
     """Pixels (h, w, 4) uint8 as red, green, blue, alpha, upright. Needs no running Qt application.
 
     PictureError where Qt cannot read the file.
     """
-    reader = QtGui.QImageReader(os.fspath(path))
-    reader.setAutoTransform(True)  # follow the camera's note on which side is up
-    reader.setDecideFormatFromContent(True)
-    if hasattr(reader, "setAllocationLimit"):
-        reader.setAllocationLimit(_MEGABYTES)
+    reader = picture_reader(os.fspath(path))
     image = reader.read()
     if image.isNull():
         raise PictureError(

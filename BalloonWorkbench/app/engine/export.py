@@ -180,6 +180,10 @@ def print_pieces(obj, target, paper: str, artwork=None) -> Path:
     path, laid, pictures = Path(target), piece_places.laid(obj), {}
     if artwork is not None:
         insist_on_ready(artwork)
+        if artwork.Pattern != obj:
+            raise ExportError(
+                f"{artwork.Label} is not printed on {obj.Label}: take an artwork of this pattern."
+            )
         pictures = piece_pictures.of_print(artwork, laid.base, piece_pictures.PAPER)
 
     def content(_progress) -> bytes:

@@ -61,9 +61,7 @@ def safety_of(balloon):
 
     Raises InputError where there is no result.
     """
-    from BalloonWorkbench.core.making.safety import safety
-
-    return safety(*film_result.stored(balloon), exact=False)
+    return working_out_safety(balloon)()
 
 
 def is_safety_known(balloon) -> bool:

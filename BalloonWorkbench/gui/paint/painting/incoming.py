@@ -6,7 +6,7 @@ from __future__ import annotations
 import tempfile
 from pathlib import Path
 
-from BalloonWorkbench.app.drawings.qt_picture import pixels
+from BalloonWorkbench.app.drawings.qt_picture import picture_reader, pixels
 from BalloonWorkbench.core.errors import PictureError
 from BalloonWorkbench.core.readers.read import read_drawing
 from BalloonWorkbench.core.units import from_mm
@@ -15,7 +15,6 @@ from BalloonWorkbench.gui.paint.painting.pieces import PastedPicture, packed
 from BalloonWorkbench.gui.qt import QtCore, QtGui, translate
 
 _MOST_PIXELS = 64_000_000
-_MEGABYTES = 512  # unpacked, of Qt 6; its usual limit is lower than ours
 _SVG = "image/svg+xml"
 _PNG = "image/png"
 _DRAWN = 0.6  # of the paper's side, that a drawing of lines becomes wide
@@ -24,7 +23,7 @@ _VECTORS = {".svg", ".dxf", ".json"}
 
 def picture_from(path: Path) -> PastedPicture:
     """The picture in a file, no larger than the paper, upright; PictureError when it is none."""
-    return PastedPicture(packed(_read(QtGui.QImageReader(str(path)), path.name)))
+    return PastedPicture(packed(_read(picture_reader(str(path)), path.name)))
 
 
 def can_be_pasted(mime) -> bool:
@@ -43,7 +42,7 @@ def pasted(mime, colour: str):
     if path is not None:
         if path.suffix.lower() in _VECTORS:
             return _painted_drawing(path, colour)
-        return _read(QtGui.QImageReader(str(path)), path.name)
+        return _read(picture_reader(str(path)), path.name)
     image = QtGui.QImage(mime.imageData()) if mime.hasImage() else QtGui.QImage()
     if image.isNull():
         raise PictureError(translate("There is no picture to paste: copy one first."))
@@ -81,15 +80,11 @@ def _unpacked(mime, kind: str):
     content = QtCore.QBuffer()
     content.setData(mime.data(kind))
     content.open(QtCore.QIODevice.ReadOnly)
-    return _read(QtGui.QImageReader(content), translate("The copied picture"))
+    return _read(picture_reader(content), translate("The copied picture"))
 
 
 def _read(reader, name: str):
     """The picture, of an animation its first one; refused by its size before it is unpacked."""
-    reader.setAutoTransform(True)
-    reader.setDecideFormatFromContent(True)
-    if hasattr(reader, "setAllocationLimit"):
-        reader.setAllocationLimit(_MEGABYTES)
     size = reader.size()
     if size.width() * size.height() > _MOST_PIXELS:
         raise PictureError(

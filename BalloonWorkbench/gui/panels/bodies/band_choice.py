@@ -118,6 +118,7 @@ class BandChoice(QtCore.QObject):
             (self.plain, self.banded), worker.design, (translate("Two panels"), translate("Side band"))
         ):
             _fill(button, sketched, title, colour)
+        self._row.setMinimumHeight(self._row.sizeHint().height())  # Qt 6's form keeps the least it had before
         fit_heights()
 
 

@@ -9,6 +9,7 @@ from pathlib import Path
 import FreeCADGui as Gui
 
 from BalloonWorkbench.app.as_made import photo_comparison
+from BalloonWorkbench.app.drawings.qt_picture import picture_reader
 from BalloonWorkbench.app.properties import preferences
 from BalloonWorkbench.core.as_made.comparison_picture import comparison_png
 from BalloonWorkbench.core.as_made.comparison_report import comparison_lines
@@ -264,9 +265,7 @@ class ComparisonPanel(TaskPanel):
             return False
 
     def _pixmap(self):
-        reader = QtGui.QImageReader(self.photo)
-        reader.setAutoTransform(True)
-        reader.setDecideFormatFromContent(True)
+        reader = picture_reader(self.photo)
         return QtGui.QPixmap.fromImage(reader.read()) if self.photo else QtGui.QPixmap()
 
     def _take_pixels(self, length: float) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.drawings.drawing_file import file_of
+from BalloonWorkbench.app.drawings.qt_picture import picture_reader
 from BalloonWorkbench.app.shapes import part_shapes
 from BalloonWorkbench.core.units import to_mm
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, painter_on, translate
@@ -13,7 +14,6 @@ from BalloonWorkbench.gui.window.user_units import size_text
 
 _MARGIN = 6
 _SIDE = 640  # px that a picture is shown with at most
-_MEGABYTES = 512  # unpacked, of Qt 6; its usual limit is lower than ours
 _LEAST, _MOST, _FORM = 150, 280, 0.62  # px, px, height over width: a wide panel has a larger picture
 _SWING = 24  # px; a scroll bar that comes and goes with the height changes the width, and would never rest
 
@@ -29,12 +29,9 @@ def notes_of(outline) -> str:
 
 def picture_in(path: str, side: int):
     """The picture in a file as it is traced: upright, and no longer or higher than `side` px."""
-    reader = QtGui.QImageReader(path)
-    reader.setDecideFormatFromContent(True)
+    reader = picture_reader(path)
     # the outline follows the camera's note on which side is up in these alone
     reader.setAutoTransform(bytes(reader.format()) == b"jpeg")
-    if hasattr(reader, "setAllocationLimit"):
-        reader.setAllocationLimit(_MEGABYTES)
     size = reader.size()
     if max(size.width(), size.height()) > side:
         reader.setScaledSize(size.scaled(side, side, QtCore.Qt.KeepAspectRatio))

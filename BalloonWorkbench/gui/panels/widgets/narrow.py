@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from BalloonWorkbench.gui.accessible import name_field
-from BalloonWorkbench.gui.qt import QtCore, QtWidgets, number_of, painter_on
+from BalloonWorkbench.gui.qt import QtCore, QtWidgets, number_of, painter_on, widgets_of
 
 _ANY = 1_000_000  # px
 _ROOM = 180  # px, for a name and its field in a panel as FreeCAD opens it
@@ -190,8 +190,8 @@ class Message(WrappedLabel):
 
     def _be_seen(self) -> None:
         fit_heights()
-        for area in QtWidgets.QApplication.allWidgets() if self.isVisible() else ():
-            if isinstance(area, QtWidgets.QScrollArea) and area.isAncestorOf(self):
+        for area in widgets_of(QtWidgets.QScrollArea) if self.isVisible() else ():
+            if area.isAncestorOf(self):
                 area.ensureWidgetVisible(self)
 
 
