@@ -9296,7 +9296,7 @@
     </message>
     <message>
         <source>{0} is not printed on {1}: take an artwork of this pattern.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} wird nicht auf {1} gedruckt: nehmen Sie eine Bildvorlage dieses Schnittmusters.</translation>
     </message>
     <message>
         <source>{0} is not up to date. {1}</source>

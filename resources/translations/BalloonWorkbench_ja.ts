@@ -9296,7 +9296,7 @@
     </message>
     <message>
         <source>{0} is not printed on {1}: take an artwork of this pattern.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} は {1} に印刷するものではありません。この型紙の絵柄を選んでください。</translation>
     </message>
     <message>
         <source>{0} is not up to date. {1}</source>

@@ -11,7 +11,7 @@ import sketches
 import BalloonWorkbench
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.properties import preferences, values
-from BalloonWorkbench.core.errors import BalloonError, InputError
+from BalloonWorkbench.core.errors import BalloonError, ExportError, InputError
 
 ROOT = Path(__file__).resolve().parents[2]
 HEART = ROOT / "resources/examples/pictures/heart.png"
@@ -197,6 +197,16 @@ def test_preferences_play_no_part(doc):
     finally:
         for key, item in preferences.items().items():
             preferences.put(key, item.default)
+
+
+def test_pieces_are_printed_with_their_own_artwork_alone(parts, tmp_path):
+    print_ = BalloonWorkbench.artwork(parts.pattern, picture=str(HEART), resolution=50)
+    page = BalloonWorkbench.print_pieces(parts.pattern, tmp_path / "pieces.pdf", "A3", print_)
+    assert b"/Subtype /Image" in page.read_bytes()
+    sheet = BalloonWorkbench.nest([parts.pattern], film_width="400 mm")
+    with pytest.raises(ExportError, match="not printed on"):
+        BalloonWorkbench.print_pieces(sheet, tmp_path / "other.pdf", artwork=print_)
+    assert not (tmp_path / "other.pdf").exists()
 
 
 def test_artwork_layout_and_page(parts, tmp_path):
