@@ -2,8 +2,6 @@
 """The hand on the tab of flat pieces: opens it, clicks and drags in it."""
 
 import brush
-import FreeCAD as App
-import FreeCADGui as Gui
 import hands
 import numpy as np
 
@@ -13,14 +11,8 @@ Kind, Qt = hands.QtCore.QEvent, hands.QtCore.Qt
 
 
 def open_tab(obj):
-    App.setActiveDocument(obj.Document.Name)
-    Gui.Selection.clearSelection()
-    Gui.Selection.addSelection(obj)
-    hands.wait(0.3)  # from FreeCAD 1.0 on that brings the 3D view to the front
-    Gui.runCommand("BalloonWorkbench_PatternView")
-    (tab,) = [each for each in tabs._tabs if each.obj.Document == obj.Document]
-    hands.wait_until(lambda: tab.isVisible() and tab.frame.isMaximized(), 5)
-    hands.wait(0.3)  # it has its size
+    tab = hands.open_flat(obj, "PatternView", tabs._tabs)
+    hands.wait(0.2)
     return tab
 
 

@@ -7,6 +7,7 @@ import time
 from contextlib import contextmanager
 from pathlib import Path
 
+import FreeCAD as App
 import FreeCADGui as Gui
 
 from BalloonWorkbench.app.host import qt
@@ -122,6 +123,27 @@ def _there(name):
             return fields.widget(name)
     found = window.findChildren(QtWidgets.QWidget, name)
     return found[-1] if found else None
+
+
+def open_flat(obj, command, tabs):
+    """The tab that a command of ours opens on an object, among the open ones of its kind."""
+    App.setActiveDocument(obj.Document.Name)
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(obj)
+    wait(0.3)  # from FreeCAD 1.0 on that brings the 3D view to the front
+    Gui.runCommand(f"BalloonWorkbench_{command}")
+    return flat_tab(obj.Document, tabs)
+
+
+def flat_tab(document, tabs):
+    """The tab of a document that is in front, once it has its size."""
+    (tab,) = [each for each in tabs if each.obj.Document == document]
+    wait_until(lambda: tab.isVisible() and tab.frame.isMaximized(), 5)
+    size = None
+    while size != tab.view.size():
+        size = tab.view.size()
+        wait(0.1)
+    return tab
 
 
 def show_tab(widget):

@@ -2,7 +2,6 @@
 """A picture that is traced, and what mouse and keys do in the tab of its nodes."""
 
 import brush
-import FreeCAD as App
 import FreeCADGui as Gui
 import hands
 import numpy as np
@@ -22,22 +21,22 @@ def picture(folder):
 
 
 def open_tab(obj):
-    App.setActiveDocument(obj.Document.Name)
-    Gui.Selection.clearSelection()
-    Gui.Selection.addSelection(obj)
-    hands.wait(0.3)  # from FreeCAD 1.0 on that brings the 3D view to the front
-    Gui.runCommand("BalloonWorkbench_EditOutline")
-    return seen(obj)
+    return hands.open_flat(obj, "EditOutline", tabs._tabs)
 
 
 def seen(obj):
-    (tab,) = [each for each in tabs._tabs if each.obj.Document == obj.Document]
-    hands.wait_until(lambda: tab.isVisible() and tab.frame.isMaximized(), 5)
-    size = None
-    while size != tab.view.size():
-        size = tab.view.size()
-        hands.wait(0.1)
-    return tab
+    return hands.flat_tab(obj.Document, tabs._tabs)
+
+
+def open_in_panel(doc, folder):
+    """The tab of a new picture in its panel, before anything is inflated."""
+    Gui.runCommand("BalloonWorkbench_FromPicture")
+    hands.wait_until(hands.panel_is_seen)
+    hands.click(hands.find("Live"), x=8)
+    hands.type_into(hands.find("Drawing"), str(picture(folder)))
+    hands.type_into(hands.find("Width"), "240 mm")
+    hands.click(hands.find("EditNodes"))
+    return seen(doc.Outline)
 
 
 def press(tab, kind, place, held=Qt.LeftButton, by=(0, 0), button=Qt.LeftButton):

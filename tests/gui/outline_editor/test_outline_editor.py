@@ -3,11 +3,10 @@
 
 import brush
 import FreeCAD as App
-import FreeCADGui as Gui
 import hands
 import numpy as np
 import pytest
-from outline_hands import click, drag, highest, key, nodes, open_tab, picture, press, seen
+from outline_hands import click, drag, highest, key, nodes, open_in_panel, open_tab, picture, press
 
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document import create
@@ -158,13 +157,7 @@ def test_the_tab_goes_with_its_document(doc, tmp_path, made):
 
 def test_in_the_panel_before_anything_is_inflated(doc, tmp_path):
     """Edits are part of the panel's step; Ctrl+Z takes the last one back alone, Cancel all."""
-    Gui.runCommand("BalloonWorkbench_FromPicture")
-    hands.wait_until(hands.panel_is_seen)
-    hands.click(hands.find("Live"), x=8)
-    hands.type_into(hands.find("Drawing"), str(picture(tmp_path)))
-    hands.type_into(hands.find("Width"), "240 mm")
-    hands.click(hands.find("EditNodes"))
-    tab = seen(doc.Outline)
+    tab = open_in_panel(doc, tmp_path)
     top, height = highest(tab), doc.Outline.SizeY.Value
     drag(tab, top, (0, -30))
     once = highest(tab)

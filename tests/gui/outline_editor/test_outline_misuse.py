@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The nodes of an outline with two hands at once, and over pictures that were changed or turned."""
 
-import FreeCADGui as Gui
 import hands
 import numpy as np
 import pytest
 from drawn_pictures import any_of, coloured, disc, drawn, png, ring, turned_jpeg
-from outline_hands import drag, highest, key, open_tab, picture, press, seen
+from outline_hands import drag, highest, key, open_in_panel, open_tab, press
 
 from BalloonWorkbench.app.outline import set_drawing
 from BalloonWorkbench.core.units import from_mm
@@ -109,13 +108,7 @@ def test_a_picture_of_other_colours_is_shown(made, tmp_path):
 
 def test_steps_of_a_panel_end_with_it(doc, tmp_path):
     """Ctrl+Z in a later panel does not reach back into an earlier one."""
-    Gui.runCommand("BalloonWorkbench_FromPicture")
-    hands.wait_until(hands.panel_is_seen)
-    hands.click(hands.find("Live"), x=8)
-    hands.type_into(hands.find("Drawing"), str(picture(tmp_path)))
-    hands.type_into(hands.find("Width"), "240 mm")
-    hands.click(hands.find("EditNodes"))
-    tab = seen(doc.Outline)
+    tab = open_in_panel(doc, tmp_path)
     drag(tab, highest(tab), (0, -30))
     hands.press("Ok")
     hands.wait_until(hands.panel_is_closed)
