@@ -4,14 +4,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import partial
 
 from BalloonWorkbench.app.border import hooks
 from BalloonWorkbench.app.engine import film_result, maker
-from BalloonWorkbench.core.errors import BalloonError
+from BalloonWorkbench.core.errors import BalloonError, ProgramFault
 from BalloonWorkbench.core.film.film import Look
 from BalloonWorkbench.core.results.colour_map import TENSION
 from BalloonWorkbench.gui.long_work.call import Call
+from BalloonWorkbench.gui.long_work.latest import LatestWork
 from BalloonWorkbench.gui.long_work.worker import Worker
 from BalloonWorkbench.gui.view3d.film_look import FilmLook
 from BalloonWorkbench.gui.view3d.film_map import map_nodes
@@ -31,7 +31,7 @@ class FilmDisplay:
         from pivy import coin
 
         self._changed = changed
-        self._worker: Worker | None = None
+        self._safety = LatestWork(self._worked_out)
         self._film, self._map = coin.SoGroup(), coin.SoGroup()
         self._look = FilmLook()
         for node, mode in ((self._film, FILM), (self._map, MAP)):
@@ -39,7 +39,7 @@ class FilmDisplay:
 
     def follow(self, vobj, mode: str) -> None:
         """Show the balloon as it is now in a mode."""
-        self._leave()
+        self._safety.leave()
         if mode == FILM:
             self._film.removeAllChildren()
             self.follow_colour(vobj)
@@ -78,25 +78,13 @@ class FilmDisplay:
 
     def _work_out_safety(self, obj) -> None:
         """What the film can bear, which takes many seconds for many panels, once for each result."""
-        if self._worker is None and not maker.is_safety_known(obj):
-            self._worker = Worker(Call(maker.working_out_safety(obj)))
-            self._worker.ended.connect(partial(self._worked_out, self._worker))
-            self._worker.start()
-
-    def _leave(self) -> None:
-        """What is being worked out is not shown any more: it ends at its next step."""
-        if self._worker is not None:
-            self._worker.stop()
-        self._worker = None
+        if not maker.is_safety_known(obj):
+            self._safety.ask(Call(maker.working_out_safety(obj)))
 
     def _worked_out(self, worker: Worker) -> None:
-        worker.deleteLater()
-        if worker is not self._worker:
-            return
-        self._worker = None
         if worker.error is None:
             self._changed()
-        else:
+        elif not isinstance(worker.error, ProgramFault):
             hooks.report(worker.error)
 
 

@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-from functools import partial
-
 from BalloonWorkbench.app.engine import bag_result
 from BalloonWorkbench.app.properties.quantities import cubic_metres
 from BalloonWorkbench.core.checkpoint import stoppable
@@ -12,6 +10,7 @@ from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.making.welding import welding_time
 from BalloonWorkbench.core.results.body_figures import body_figures
 from BalloonWorkbench.core.units import from_mm, percent_text, to_mm, volume_text
+from BalloonWorkbench.gui.long_work.latest import LatestWork
 from BalloonWorkbench.gui.long_work.worker import Worker
 from BalloonWorkbench.gui.panels.making.maker_rows import value_label
 from BalloonWorkbench.gui.panels.widgets.narrow import fit_heights
@@ -25,7 +24,7 @@ class BodyRows:
 
     def __init__(self, form):
         self._form = form
-        self._worker: Worker | None = None
+        self._figures = LatestWork(self._looked)
 
     def show(self, balloon) -> None:
         """The figures of a balloon of a body."""
@@ -34,9 +33,7 @@ class BodyRows:
             design, film = bag_result.stored(balloon)
         except BalloonError:
             return
-        worker = self._worker = Worker(_Looking(design, film))
-        worker.ended.connect(partial(self._looked, worker))
-        worker.start()
+        self._figures.ask(_Looking(design, film))
 
     def release(self) -> None:
         """The panel closes."""
@@ -45,14 +42,10 @@ class BodyRows:
 
     def leave(self) -> None:
         """Nobody waits for the last figures any more."""
-        if self._worker is not None:
-            self._worker.stop()
-        self._worker = None
+        self._figures.leave()
 
     def _looked(self, worker: Worker) -> None:
-        worker.deleteLater()
-        worker.fault()
-        if worker is not self._worker or worker.design is None:
+        if worker.design is None:
             return
         for name, text in _slow_rows(worker.design):
             self._form.addRow(name, value_label(text))

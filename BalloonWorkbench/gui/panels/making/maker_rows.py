@@ -3,16 +3,15 @@
 
 from __future__ import annotations
 
-from functools import partial
-
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.engine import maker
 from BalloonWorkbench.app.properties import film
 from BalloonWorkbench.app.properties.quantities import cubic_millimetres
-from BalloonWorkbench.core.errors import BalloonError
+from BalloonWorkbench.core.errors import BalloonError, ProgramFault
 from BalloonWorkbench.core.making.safety import WELD
 from BalloonWorkbench.core.units import area_text, mass_text, money_text, number_text, to_mm
 from BalloonWorkbench.gui.long_work.call import Call
+from BalloonWorkbench.gui.long_work.latest import LatestWork
 from BalloonWorkbench.gui.long_work.worker import Worker
 from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel, fit_heights
 from BalloonWorkbench.gui.qt import QtCore, translate
@@ -27,12 +26,12 @@ class MakerRows:
 
     def __init__(self, form, short: bool = False):
         self._form, self._short = form, short
-        self._worker: Worker | None = None
+        self._count = LatestWork(self._counted)
         self._seam = ""  # what the film's seam is called
 
     def show(self, parts) -> None:
         """What it takes and whether it floats; nothing while something is not up to date."""
-        self._leave()
+        self._count.leave()
         if not all(status.is_ready(obj) for obj in (parts.balloon, parts.pattern)):
             return
         try:
@@ -40,29 +39,17 @@ class MakerRows:
             self._seam = film.read(parts.balloon).seam
         except BalloonError:
             return
-        worker = self._worker = Worker(Call(count))
-        worker.ended.connect(partial(self._counted, worker))
-        worker.start()
+        self._count.ask(Call(count))
 
     def release(self) -> None:
         """The panel closes."""
-        self._leave()
+        self._count.leave()
         self._form = None
 
-    def _leave(self) -> None:
-        """Nobody waits for the last count any more: it ends at its next step."""
-        if self._worker is not None:
-            self._worker.stop()
-        self._worker = None
-
     def _counted(self, worker: Worker) -> None:
-        worker.deleteLater()
-        fault = worker.fault()
-        if worker is not self._worker:
-            return
         if worker.design is None:
-            if fault:
-                self._form.addRow(value_label(translated(fault)))
+            if isinstance(worker.error, ProgramFault):
+                self._form.addRow(value_label(translated(str(worker.error))))
             return
         for name, text in _rows(worker.design, self._short, self._seam):
             self._form.addRow(name, value_label(text))
