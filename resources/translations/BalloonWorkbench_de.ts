@@ -9295,7 +9295,7 @@
         <translation>{0} wird nicht mit Wärme verbunden: {1} ist nicht dafür gemacht.</translation>
     </message>
     <message>
-        <source>{0} is not printed on {1}: take an artwork of this pattern.</source>
+        <source>{0} is not printed on {1}: choose an artwork of this pattern.</source>
         <translation>{0} wird nicht auf {1} gedruckt: nehmen Sie eine Bildvorlage dieses Schnittmusters.</translation>
     </message>
     <message>

@@ -9295,7 +9295,7 @@
         <translation>{0} no se une con calor: {1} no está hecho para ello.</translation>
     </message>
     <message>
-        <source>{0} is not printed on {1}: take an artwork of this pattern.</source>
+        <source>{0} is not printed on {1}: choose an artwork of this pattern.</source>
         <translation>{0} no se imprime en {1}: tome una ilustración de este patrón.</translation>
     </message>
     <message>

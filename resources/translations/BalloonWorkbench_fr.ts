@@ -9295,7 +9295,7 @@
         <translation>{0} ne s'assemble pas à chaud : {1} n'est pas fait pour cela.</translation>
     </message>
     <message>
-        <source>{0} is not printed on {1}: take an artwork of this pattern.</source>
+        <source>{0} is not printed on {1}: choose an artwork of this pattern.</source>
         <translation>{0} n'est pas imprimé sur {1} : prenez une illustration de ce patron.</translation>
     </message>
     <message>

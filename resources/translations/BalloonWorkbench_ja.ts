@@ -9295,7 +9295,7 @@
         <translation>{0} は熱で接合しません。{1} はそのための機械ではありません。</translation>
     </message>
     <message>
-        <source>{0} is not printed on {1}: take an artwork of this pattern.</source>
+        <source>{0} is not printed on {1}: choose an artwork of this pattern.</source>
         <translation>{0} は {1} に印刷するものではありません。この型紙の絵柄を選んでください。</translation>
     </message>
     <message>

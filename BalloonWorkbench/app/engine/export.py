@@ -182,7 +182,7 @@ def print_pieces(obj, target, paper: str, artwork=None) -> Path:
         insist_on_ready(artwork)
         if artwork.Pattern != obj:
             raise ExportError(
-                f"{artwork.Label} is not printed on {obj.Label}: take an artwork of this pattern."
+                f"{artwork.Label} is not printed on {obj.Label}: choose an artwork of this pattern."
             )
         pictures = piece_pictures.of_print(artwork, laid.base, piece_pictures.PAPER)
 
