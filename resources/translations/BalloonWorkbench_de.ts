@@ -3271,6 +3271,10 @@
         <translation>Er fasst {} der Luft, die ein runder Ballon aus ebenso viel Folie fassen würde.</translation>
     </message>
     <message>
+        <source>It is filled to {0}, its safe pressure is {1}: fill it less.</source>
+        <translation>Er wird auf {0} gefüllt, sein sicherer Druck ist {1}: füllen Sie ihn weniger.</translation>
+    </message>
+    <message>
         <source>It is not inflated yet: choose Inflate now in its context menu, or switch Live on.</source>
         <translation>Er ist noch nicht aufgeblasen: im Kontextmenü „Jetzt aufblasen“ wählen oder Live einschalten.</translation>
     </message>

@@ -3271,6 +3271,10 @@
         <translation>Contiene {} del aire que tendría un globo redondo con igual película.</translation>
     </message>
     <message>
+        <source>It is filled to {0}, its safe pressure is {1}: fill it less.</source>
+        <translation>Se llena a {0}, su presión segura es {1}: llénelo menos.</translation>
+    </message>
+    <message>
         <source>It is not inflated yet: choose Inflate now in its context menu, or switch Live on.</source>
         <translation>Aún no está inflado: elija «Inflar ahora» en su menú contextual o active En vivo.</translation>
     </message>

@@ -3271,6 +3271,10 @@
         <translation>Il contient {} de l'air que contiendrait un ballon rond d'autant de film.</translation>
     </message>
     <message>
+        <source>It is filled to {0}, its safe pressure is {1}: fill it less.</source>
+        <translation>Il est gonflé à {0}, sa pression sûre est de {1} : gonflez-le moins.</translation>
+    </message>
+    <message>
         <source>It is not inflated yet: choose Inflate now in its context menu, or switch Live on.</source>
         <translation>Il n'est pas encore gonflé : choisissez « Gonfler maintenant » dans son menu contextuel, ou activez Direct.</translation>
     </message>

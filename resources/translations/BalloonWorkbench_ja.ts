@@ -3271,6 +3271,10 @@
         <translation>入る空気は、同じ量のフィルムで作る丸い風船の {} です。</translation>
     </message>
     <message>
+        <source>It is filled to {0}, its safe pressure is {1}: fill it less.</source>
+        <translation>圧力は {0} ですが、安全な圧力は {1} です。空気を減らしてください。</translation>
+    </message>
+    <message>
         <source>It is not inflated yet: choose Inflate now in its context menu, or switch Live on.</source>
         <translation>まだふくらんでいません。コンテキストメニューで「今すぐふくらませる」を選ぶか、ライブをオンにしてください。</translation>
     </message>

@@ -93,6 +93,26 @@ def test_freecads_post_processor_writes_the_same_moves(doc, own, tmp_path, name,
     assert [way for way, _ in read.travel] == pytest.approx([way for way, _ in ours.travel], abs=0.01)
 
 
+def test_freecads_simulator_shows_the_film_and_where_it_is_welded(doc, own):
+    import PathSimulator
+
+    made = create.balloon_from_sketch(doc, sketches.ring(doc), mesh_size=20, correct=False)
+    (job,) = BalloonWorkbench.tool_paths(made.pattern, "tip")
+    box = job.Stock.Shape.BoundBox
+    simulator = PathSimulator.PathSim()
+    for percent in (1.0, 0.1):  # coarsest and finest, as its slider has them
+        simulator.BeginSimulation(job.Stock.Shape, 0.01 * percent * max(box.XLength, box.YLength))
+        whole, _ = simulator.GetResultMesh()
+        assert whole.CountFacets > 0
+    simulator.SetToolShape(job.Tools.Group[0].Tool.Shape, 0.005)
+    place = App.Placement(App.Vector(0.0, 0.0, box.ZMax), App.Rotation())
+    for command in job.Operations.Group[0].Path.Commands:
+        place = simulator.ApplyCommand(place, command)
+    _, pressed = simulator.GetResultMesh()
+    assert pressed.CountFacets > 0
+    assert pressed.BoundBox.ZMin == pytest.approx(-0.2, abs=0.01), "the tip is 0.2 mm deep"
+
+
 def test_each_film_has_a_job_in_the_document_of_its_pattern(doc, own):
     """Foil and valve, while another document is the active one; twice, and recomputed."""
     knife = BalloonWorkbench.from_sketch(

@@ -178,3 +178,10 @@ def off_border(line: np.ndarray, picture: np.ndarray) -> np.ndarray:
     clear = (values.max(axis=1) - values.min(axis=1) > 50.0) & crossed.any(axis=1)
     assert clear.mean() > 0.9
     return np.abs(steps[crossed.argmax(axis=1)])[clear]
+
+
+def disagreement(lines: Lines, drawn: np.ndarray, picture: np.ndarray) -> float:
+    """The most [mm] by which the cut is off the border of the print, or a mark off where it was found."""
+    found = matched(drawn, seen(picture))
+    off = [off_border(mapped(cut, drawn, found), picture).max() for cut in lines["CUT"]]
+    return max(*off, float(np.hypot(*(mapped(drawn, drawn, found) - found).T).max()))

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 import sketches
 import steps
+from user import show
 
 from BalloonWorkbench.app import target as target_object
 from BalloonWorkbench.app.border import status
@@ -38,7 +39,7 @@ def test_scene_4_gores(user, story):
     story.step("six-gores")
     needed, length = hands.find("GoresNeeded").text(), doc.Pattern.SeamLength.Value
     story.expect("%" in needed, f"nothing is said of how near so many gores come: {needed}")
-    user.replace(hands.find("Gores"), "8")
+    _two_up(user, hands.find("Gores"))
     steps.inflated()
     story.step("eight-gores")
     story.expect(doc.Balloon.PanelCount == 8, "there are no 8 gores")
@@ -46,6 +47,17 @@ def test_scene_4_gores(user, story):
     steps.leave(user)
     story.step("gores-kept")
     story.expect(len(doc.UndoNames) == 1, "the body of gores is more than one step to undo")
+
+
+def _two_up(user, field):
+    """Two clicks on the upper arrow of a number."""
+    show(field)
+    option = QtWidgets.QStyleOptionSpinBox()
+    option.initFrom(field)
+    arrow = field.style().subControlRect(
+        QtWidgets.QStyle.CC_SpinBox, option, QtWidgets.QStyle.SC_SpinBoxUp, field
+    )
+    user.click(field.mapToGlobal(arrow.center()), times=2)
 
 
 def _half_of_a_ball():

@@ -2,6 +2,7 @@
 """Scene 6: a spreadsheet of balloons is stopped and gone on with; a page that turns; the command line."""
 
 import csv
+import json
 import os
 import subprocess
 import sys
@@ -17,6 +18,7 @@ from BalloonWorkbench.app.document import create
 from BalloonWorkbench.core.studies.runners.worker import python
 
 ROWS = 40
+FILMS = ("mylar", "pe")
 HEART = Path("resources/examples/pictures/heart.png").resolve()
 
 
@@ -36,6 +38,7 @@ def test_scene_6_catalogue(user, story, tmp_path):
     _gone_on_with(user, story, doc)
     _page(user, story, doc.Balloon, tmp_path / "turns.html")
     _command_line(story, tmp_path)
+    _questions(story, tmp_path)
 
 
 def _begun_and_stopped(user, story, doc, parts, folder):
@@ -110,19 +113,46 @@ def _command_line(story, folder):
         rows = csv.writer(file)
         rows.writerow(("input", "command", "width", "pressure", "mesh-size"))
         rows.writerows((HEART, "inflate", "200mm", f"{kpa}kPa", "20mm") for kpa in (1, 2))
-    command = [python(), "-m", "BalloonWorkbench", "study", str(table), "--out", str(out)]
-    paths = os.pathsep.join([str(Path.cwd()), *filter(None, sys.path)])
-    for more in ([], ["--dry-run"]):
-        done = subprocess.run(
-            [*command, *more],
-            capture_output=True,
-            text=True,
-            check=False,
-            env={**os.environ, "PYTHONPATH": paths},
-        )
-        story.expect(done.returncode == 0, f"the command line says: {done.stdout}{done.stderr}")
-    story.expect("2" in done.stdout, f"the command line says: {done.stdout}")
+    _study(story, table, out)
+    said = _study(story, table, out, "--dry-run")
+    story.expect("2" in said, f"the command line says: {said}")
     with (out / "table.csv").open(encoding="utf-8") as file:
         made = list(csv.DictReader(file))
     story.expect(len(made) == 2 and all(float(row["volume_m3"]) > 0 for row in made), f"the table has {made}")
     story.expect((out / "study.html").exists(), "there is no page")
+
+
+def _study(story, file, out, *more):
+    """What the command line says of a study."""
+    paths = os.pathsep.join([str(Path.cwd()), *filter(None, sys.path)])
+    done = subprocess.run(
+        [python(), "-m", "BalloonWorkbench", "study", str(file), "--out", str(out), *more],
+        capture_output=True,
+        text=True,
+        check=False,
+        env={**os.environ, "PYTHONPATH": paths},
+    )
+    story.expect(done.returncode == 0, f"the command line says: {done.stdout}{done.stderr}")
+    return done.stdout
+
+
+def _questions(story, folder):
+    """Which film carries 20 g at least cost, and what half a millimetre of cutting error does."""
+    fixed = {"input": str(HEART), "command": "inflate", "mesh-size": "60mm", "pressure": "100Pa"}
+    over = {"width": ["600mm", "1000mm"], "material": FILMS}
+    goal = {"minimize": "film_cost", "over": over, "limits": {"lift": ">= 20 g"}}
+    (folder / "cheapest.json").write_text(json.dumps({"fixed": fixed, "goal": goal}), encoding="utf-8")
+    said = _study(story, folder / "cheapest.json", folder / "cheapest")
+    story.expect("Best of" in said and "film_cost" in said, f"which is the cheapest is not said: {said}")
+    best = json.loads((folder / "cheapest" / "goal.json").read_text(encoding="utf-8"))
+    story.expect(best["reached"] and best["results"]["lift_g"] >= 20, f"the cheapest carries {best}")
+    with (folder / "cheapest" / "table.csv").open(encoding="utf-8") as file:
+        carry = [row for row in csv.DictReader(file) if float(row["lift_g"]) >= 20]
+    costs = {film: min(float(row["film_cost"]) for row in carry if row["material"] == film) for film in FILMS}
+    story.expect(best["values"]["material"] == min(costs, key=costs.get), f"by film it costs {costs}")
+    cut = {"cut": {"uniform": "0.5mm", "per": "whole"}}
+    errors = {"fixed": {**fixed, "width": "300mm", "mesh-size": "20mm"}, "tolerances": cut, "samples": 6}
+    (folder / "errors.json").write_text(json.dumps(errors), encoding="utf-8")
+    said = _study(story, folder / "errors.json", folder / "errors")
+    story.expect("most by cut" in said, f"what the error does is not said: {said}")
+    story.expect((folder / "errors" / "study.html").exists(), "there is no page with charts")

@@ -18,6 +18,9 @@ from BalloonWorkbench.core.units import to_mm
 _OF_POSTS = ("G17", "G21", "G40", "G49", "G54", "G64", "G90", "G91.1", "G94", "M2")
 #: How thick the film is shown [mm], and the width of a tool that has none of its own.
 _FILM, _TOOL = 0.1, 0.2
+#: How thick the board below the film is in the stock, as a part of its longer side: FreeCAD's simulator shows
+#: nothing that is thinner than its grid, of 1 % of that side at most.
+_BOARD = 0.02
 
 
 def tool_paths(
@@ -93,8 +96,9 @@ def _job(document, label: str, drawing, made_for, steps) -> None:
             f"The G-code turns the tool by {made_for.tool.turning_axis}. FreeCAD takes that axis for one that"
             " turns the work: its 3D view shows the path turned."
         )
-    for side in ("Xneg", "Xpos", "Yneg", "Ypos", "Zneg", "Zpos"):
+    for side in ("Xneg", "Xpos", "Yneg", "Ypos", "Zpos"):
         setattr(job.Stock, f"Ext{side}", 0.0)
+    job.Stock.ExtZneg = _BOARD * max(drawing.width, drawing.height)
     (controller,) = job.Tools.Group
     controller.Tool.Diameter = max(to_mm(made_for.kerf), _TOOL)
     controller.Tool.SpindleDirection = "None"  # the moves themselves start and stop what turns or burns

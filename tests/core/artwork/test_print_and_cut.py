@@ -11,7 +11,17 @@ import numpy as np
 import pytest
 from drawn_shapes import NAMED
 from inflated import designed
-from print_and_cut import Lines, lines_of, mapped, marks_of, matched, off_border, photographed, seen
+from print_and_cut import (
+    Lines,
+    disagreement,
+    lines_of,
+    mapped,
+    marks_of,
+    matched,
+    off_border,
+    photographed,
+    seen,
+)
 from printed import box_of
 
 from BalloonWorkbench.core.artwork.border import bordered
@@ -51,13 +61,6 @@ def read(sheet: Sheet, name: str) -> tuple[Lines, list[np.ndarray]]:
     lines = lines_of(machine_file(sheet.pattern, made_for), made_for.file_name)
     layer = next(line.name for role, line in made_for.layers.items() if role.value == "REGISTRATION")
     return lines, lines[layer]
-
-
-def disagreement(lines: Lines, drawn: np.ndarray, picture: np.ndarray) -> float:
-    """The most [mm] by which the cut is off the border of the print, or a mark off where it was found."""
-    found = matched(drawn, seen(picture))
-    off = [off_border(mapped(cut, drawn, found), picture).max() for cut in lines["CUT"]]
-    return max(*off, float(np.hypot(*(mapped(drawn, drawn, found) - found).T).max()))
 
 
 @needs_poppler

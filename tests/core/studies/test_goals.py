@@ -105,6 +105,7 @@ def test_the_cheapest_balloon_that_carries_a_lift(tmp_path: Path) -> None:
     assert goal_lines(study, sought)[0].startswith(
         f"Best of {len(sought.trials)} balloons: material pe, width 7"
     )
+    assert "It is filled to 2 kPa, its safe pressure is 1" in goal_lines(study, sought)[-1]
 
 
 def test_samples_find_the_deepest_valley() -> None:
@@ -176,7 +177,9 @@ def test_the_largest_volume_with_a_safe_pressure(tmp_path: Path) -> None:
         "over": {"width": ["50mm", "900mm"]},
         "limits": {"safe_pressure": ">= 4 kPa"},
     }
-    sought = run_goal(study_with(goal, tmp_path), tmp_path / "out", ByFormula())
+    study = study_with(goal, tmp_path)
+    sought = run_goal(study, tmp_path / "out", ByFormula())
+    assert not any("fill it less" in line for line in goal_lines(study, sought))
     assert sought.reached
     assert sought.best is not None and sought.best.results is not None
     assert sought.best.results["width_mm"] == pytest.approx(200.0, rel=0.02)

@@ -24,7 +24,7 @@ from BalloonWorkbench.core.studies.results import results_of
 from BalloonWorkbench.core.studies.run import Observe
 from BalloonWorkbench.core.studies.study import Row, Study, written
 from BalloonWorkbench.core.studies.table import write_table
-from BalloonWorkbench.core.units import number_text
+from BalloonWorkbench.core.units import number_text, pressure_text
 
 GOAL = "goal"
 FILE = "goal.json"
@@ -235,6 +235,7 @@ def goal_lines(study: GoalStudy, sought: Sought) -> list[str]:
         f"{name} is at an end of its range: a wider one may hold a better balloon."
         for name in at_an_end(goal, top)
     ]
+    ends += _overfilled(top.results)
     if sought.reached:
         return [f"Best of {count} balloons: {values}, with {has}.", *ends]
     missed = ", ".join(
@@ -245,6 +246,17 @@ def goal_lines(study: GoalStudy, sought: Sought) -> list[str]:
     return [
         f"None of {count} balloons is within the limits; the nearest: {values}, asked for {missed}.",
         *ends,
+    ]
+
+
+def _overfilled(results: Mapping[str, Any]) -> list[str]:
+    """A sentence where a balloon is filled above its safe pressure."""
+    pressure, safe = results.get("pressure_Pa"), results.get("safe_pressure_Pa")
+    if pressure is None or safe is None or pressure <= safe:
+        return []
+    return [
+        f"It is filled to {pressure_text(pressure)}, its safe pressure is {pressure_text(safe)}:"
+        " fill it less."
     ]
 
 
