@@ -223,7 +223,8 @@ def _new_table(doc, parts, variables, variants):
     else:
         asked = []
         for owner, name in ((leader(parts.outline), "Width"), (parts.balloon, "Pressure")):
-            if hasattr(owner, name) and name not in dict(owner.ExpressionEngine):
+            free = hasattr(owner, name) and name not in dict(owner.ExpressionEngine)
+            if free and "Hidden" not in owner.getEditorMode(name):  # a sketch has its own width
                 asked.append(varied(name, parts, sheet))
     study_table.fill(sheet, [each.heading for each in asked], [[each.shown() for each in asked]])
     sheet.recompute()

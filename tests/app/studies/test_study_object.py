@@ -200,6 +200,18 @@ def test_variables_are_columns(parts, tmp_path):
         document.recompute()
 
 
+def test_a_new_table_offers_what_has_an_effect(parts):
+    """A sketch has its own width."""
+    document = parts.balloon.Document
+    obj = studies.make(document, parts)
+    assert [each.heading for each in studies.read(obj).inputs.values()] == ["Width", "Pressure"]
+    drawn = create.balloon_from_sketch(
+        document, sketches.rectangle(document, 120, 80), mesh_size=20, correct=False
+    )
+    obj = studies.make(document, drawn)
+    assert [each.heading for each in studies.read(obj).inputs.values()] == ["Pressure"]
+
+
 def test_labels_of_any_script_are_told_apart(parts, tmp_path):
     """Of two spreadsheets with Japanese labels the one that is named is varied."""
     document, made = parts.balloon.Document, []
