@@ -45,16 +45,14 @@ def bare(tmp_path_factory):
         "BALLOON_DOCUMENT": str(folder / "box.FCStd"),
     }
     command = ["tools/in-freecad.sh", str(folder / "user"), "freecad", "tests/gui/bare_start.py"]
-    ended = subprocess.run(
-        command,
-        env=environment,
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=hands.patience(120),
-        stdin=subprocess.DEVNULL,
-    )
-    return json.loads((folder / "seen.json").read_text(encoding="utf-8")), ended.stdout + ended.stderr
+    with (folder / "printed.txt").open("wb") as printed:
+        other = subprocess.Popen(
+            command, env=environment, stdin=subprocess.DEVNULL, stdout=printed, stderr=subprocess.STDOUT
+        )
+        # this window lives on: the other one asks it for the clipboard, and waits for an answer
+        hands.wait_until(lambda: other.poll() is not None, 120)
+    seen = json.loads((folder / "seen.json").read_text(encoding="utf-8"))
+    return seen, (folder / "printed.txt").read_text(encoding="utf-8")
 
 
 def test_freecad_goes_on(bare):

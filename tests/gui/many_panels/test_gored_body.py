@@ -48,6 +48,39 @@ def test_selected_sketch_becomes_a_ball(half):
     assert [obj.Name for obj in doc.Objects] == ["Half"]
 
 
+class _Painted(hands.QtCore.QObject):
+    """How high a page was, and where a field was in it, each time that it was painted."""
+
+    def __init__(self, field):
+        super().__init__()
+        self.field, self.seen = field, set()
+
+    def eventFilter(self, page, event):
+        if event.type() == hands.QtCore.QEvent.Paint:
+            self.seen.add((page.height(), self.field.mapTo(page, hands.QtCore.QPoint(0, 0)).y()))
+        return False
+
+
+def test_fields_stay_where_they_are_while_it_works(half):
+    """So that a second click on an arrow finds the same field."""
+    doc = half.Document
+    Gui.Selection.addSelection(half)
+    with hands.work_held():
+        Gui.runCommand("BalloonWorkbench_FromProfile")
+        hands.wait_until(hands.panel_is_seen)
+        hands.type_into(hands.find("MeshSize"), "30 mm")
+    hands.find("Steps").setCurrentIndex(0)
+    hands.wait_until(solved(doc), 120)
+    hands.wait(0.5)
+    field, page = hands.find("Gores"), hands.find("Steps")
+    painted = _Painted(field)
+    page.installEventFilter(painted)
+    field.stepBy(1)
+    hands.wait_until(lambda: doc.Balloon.PanelCount == 7 and hands.find("Apply").isVisible(), 120)
+    hands.wait(0.5)
+    assert len(painted.seen) == 1, painted.seen
+
+
 def test_the_law_is_told_before_anything_is_inflated(doc):
     Gui.runCommand("BalloonWorkbench_FromProfile")
     hands.wait_until(hands.panel_is_seen)

@@ -87,6 +87,10 @@ class NarrowForm(QtWidgets.QFormLayout):
     def _append(self, *row) -> None:
         self._all.append(row)
         super().addRow(*row)
+        owner = self.parentWidget()
+        if owner is not None and owner.isVisible():  # Qt would show it a turn of the event loop later
+            for each in filter(None, (row[-1], self.labelForField(row[-1]))):
+                each.show()
 
 
 def _whole_width(choice) -> int:
