@@ -5,7 +5,7 @@ SHELL := /bin/bash
 .DEFAULT_GOAL := help
 PYTHON := .venv/bin/python
 
-.PHONY: help setup native readers demo test test-core test-app test-gui matrix users lint format validation bench fuzz mutations web pythons coverage tidy docs examples pictures release release-check release-branch install-check pins translations freecad clean
+.PHONY: help setup native readers demo test test-all test-core test-app test-gui matrix users lint format validation bench fuzz mutations web pythons coverage tidy docs examples pictures release release-check release-branch install-check pins translations freecad clean
 
 help: ## List these targets
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' $(MAKEFILE_LIST) | expand -t 12
@@ -26,7 +26,10 @@ readers: setup
 	@tools/install-debian-packages.sh debian-packages-readers.txt
 	@tools/install-gltf-validator.sh
 
-test: native readers ## Check the code, run all tests; logs go to build/logs
+test: native readers ## Check the code, run the tests that are not slow; logs go to build/logs
+	@QUICK=yes tools/test.sh lint core app gui
+
+test-all: native readers ## Check the code, run every test
 	@tools/test.sh lint core app gui
 
 # One part of the tests. BALLOON_TESTS replaces its folder by other arguments of pytest:

@@ -21,5 +21,6 @@ exec unshare --mount --propagation private bash -euc '
         ${BALLOON_TESTS:+"BALLOON_TESTS=$BALLOON_TESTS"} ${BALLOON_FAULTS:+"BALLOON_FAULTS=$BALLOON_FAULTS"} \
         ${SCREEN:+"SCREEN=$SCREEN"} ${BALLOON_LANGUAGES:+"BALLOON_LANGUAGES=$BALLOON_LANGUAGES"} \
         ${SCREENS:+"SCREENS=$SCREENS"} ${THEMES:+"THEMES=$THEMES"} "SUITE=${SUITE:-}" \
+        ${QUICK:+"QUICK=$QUICK"} \
         /bin/bash -c "cd \"\$1\" && shift && exec \"\$@\"" sh "$REPOSITORY" "$@"
 ' sh "$@"

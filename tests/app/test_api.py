@@ -209,6 +209,7 @@ def test_pieces_are_printed_with_their_own_artwork_alone(parts, tmp_path):
     assert not (tmp_path / "other.pdf").exists()
 
 
+@pytest.mark.slow
 def test_artwork_layout_and_page(parts, tmp_path):
     """What follows the pattern; each by one call."""
     print_ = BalloonWorkbench.artwork(parts.pattern, picture=str(HEART), bleed="4 mm", resolution=50)

@@ -106,6 +106,7 @@ def test_width_of_a_picture_redesigns_the_same_objects(from_picture):
     assert recomputed(from_picture) == before
 
 
+@pytest.mark.slow
 def test_the_order_of_the_changes_does_not_matter(from_sketch):
     steps = [(set_height, 95), (set_film, "pe"), (set_pressure, 3)]
     results = []

@@ -22,6 +22,7 @@ def ellipsoid(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("blank_sheets")
 def test_a_mesh_becomes_panels_with_all_files(
     ellipsoid: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
@@ -81,6 +82,7 @@ def test_what_does_not_go_together(
     assert not (tmp_path / "out").exists()
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("blank_sheets")
 def test_a_body_of_the_seams_that_are_drawn(
     ellipsoid: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]

@@ -69,6 +69,7 @@ def everything(place: Path, part: str) -> int:
     return run(place, *words)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("part", PARTS)
 def test_the_rest_is_written(
     part: str, place: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]

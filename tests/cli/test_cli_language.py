@@ -49,6 +49,7 @@ def left_in_english(text: str) -> list[str]:
     return [line for line in lines if re.search("[a-z]{2,}", SAME.sub("", typed.sub("", line)))]
 
 
+@pytest.mark.slow
 def test_all_that_is_told_is_translated(
     capitals: None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -179,6 +179,7 @@ def test_each_shape_of_a_drawing_has_its_band(tmp_path: Path) -> None:
     assert (tmp_path / "out" / "preview-2.png").exists()
 
 
+@pytest.mark.slow
 def test_everything_that_is_made_of_a_bag(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -384,6 +385,7 @@ def test_a_broken_file_is_told_with_an_example_of_its_kind(
     assert example in told.split("Write")[1]
 
 
+@pytest.mark.slow
 def test_panels_are_scaled_until_they_fit_a_bed(tmp_path: Path) -> None:
     """The pattern fits, the document gets the panels at that size, and all are smaller by the same."""
     words = ("--machine", "inkscape", "--bed", "200x1200mm", "--oversize", "scale", "--mesh-size", "60mm")

@@ -63,6 +63,7 @@ def test_two_shapes_with_a_picture_of_any_name(tmp_path: Path) -> None:
     assert {"balloon.glb", "report.html", "report.json", "artwork-front.png"} <= names
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("file", "options", "height"),
     [("profiles/sphere.json", ("--gores", "6", "--width", "200mm", "--mesh-size", "60mm"), 0.2),
@@ -115,6 +116,7 @@ def test_picture_and_page_on_a_ground(
         assert not out.exists()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["gif", "mp4"])
 def test_the_inflation_as_a_moving_picture(
     kind: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

@@ -29,6 +29,7 @@ def run(command: str, path: Path, *options: str) -> tuple[int, Path]:
     return command_line.main([command, str(path), "--out", str(out), *options]), out
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("with_freecad")
 @WITH_FREECAD
 def test_a_step_file_becomes_the_panels_of_its_faces(

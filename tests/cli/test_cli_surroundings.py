@@ -100,6 +100,7 @@ def test_a_reader_that_has_enough(box: Path) -> None:
     assert written(box.parent / "out") == FEWER
 
 
+@pytest.mark.slow
 def test_letters_of_other_systems(box: Path) -> None:
     """Names that are no UTF-8, on a terminal that knows ASCII."""
     name = b"b\xff \xe2\x99\xa5.json"
@@ -214,6 +215,7 @@ def test_what_is_said_of_an_interruption_is_true(number: signal.Signals, where: 
         assert written(box.parent / "out") == FEWER
 
 
+@pytest.mark.slow
 @as_root
 @pytest.mark.parametrize("home", ["/root", None])
 def test_a_user_without_a_home(home: str | None) -> None:
@@ -249,6 +251,7 @@ FREECADS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("way", FREECADS)
 def test_freecad_that_does_not_work_is_a_note(
     way: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
@@ -294,6 +297,7 @@ def test_the_folder_is_gone_when_the_files_are_written(
     assert written(out) == FILES
 
 
+@pytest.mark.slow
 def test_numpy_works_with_one_thread_unless_the_user_says_otherwise() -> None:
     """A balloon of a study, whose process has one, is the same to the last bit."""
     begin = (

@@ -225,6 +225,7 @@ def test_numbers_of_the_sheet(scale: float) -> None:
         assert not odd_numbers("\n".join(told))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("scale", [0.01, 100.0])
 def test_numbers_of_advice(scale: float) -> None:
     """What is predicted of all shapes that we know, 3 mm and 30 m large."""

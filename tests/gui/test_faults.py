@@ -360,6 +360,7 @@ def do_once_more(do, run, engine):
     leave_all(run)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("do", DONE[: max(COUNT, 1)], ids=lambda do: do.__name__)
 def test_no_fault_of_the_engine_ends_the_window(do, listener, folder, rectangle_file, monkeypatch):
     # the search for the closest layout takes its time; what it raises is tested in test_nesting.py

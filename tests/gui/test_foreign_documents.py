@@ -64,6 +64,7 @@ def test_pattern_has_the_colours_of_its_layers(doc):
     assert colours.count(0xFF00FF) > 200
 
 
+@pytest.mark.slow
 def test_double_click_edits_it(doc):
     doc.Balloon.ViewObject.Proxy.doubleClicked(doc.Balloon.ViewObject)
     hands.wait_until(hands.panel_is_seen)

@@ -27,6 +27,7 @@ def test_document_of_an_older_release_opens_without_a_fault(path):
     assert all(obj.ViewObject.Proxy is not None for obj in (doc.Outline, doc.Balloon, doc.Pattern))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("mode", MODES)
 def test_any_option_may_be_missing(mode, tmp_path):
     doc = open_copy(next(each for each in EXAMPLES if each.name == "painted-fish"))

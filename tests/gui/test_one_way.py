@@ -19,6 +19,7 @@ def window(doc):
     close_window()
 
 
+@pytest.mark.slow
 def test_a_painted_balloon_is_made_once(window):
     """Fitted while the pen rests; what goes into the document was worked out before."""
     with counted() as done:

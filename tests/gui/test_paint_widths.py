@@ -73,6 +73,7 @@ WAYS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("way", WAYS)
 def test_all_is_as_wide_as_before(doc, way):
     hands.wait(0.5)
@@ -85,6 +86,7 @@ def test_all_is_as_wide_as_before(doc, way):
     assert widths() == pytest.approx(before, abs=SAME)
 
 
+@pytest.mark.slow
 def test_a_second_painting_takes_and_gives_the_same(doc):
     hands.wait(0.5)
     before = widths()

@@ -5,6 +5,8 @@ import ast
 import enum
 from pathlib import Path
 
+import pytest
+
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets
 
 PACKAGE = Path(__file__).resolve().parents[2] / "BalloonWorkbench" / "gui"
@@ -32,6 +34,7 @@ def values():
                     yield name
 
 
+@pytest.mark.slow
 def test_values_of_qt_are_named_by_their_class():
     """self.FullViewportUpdate is none in Qt 6: AttributeError, in whatever line comes to it first."""
     known = set(values()) - {"Object"}  # what views of FreeCAD are called for

@@ -43,6 +43,7 @@ def comparison() -> Path:
     return path
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "sanitizers", [pytest.param(MEMORY, id="memory"), pytest.param(THREADS, id="threads")]
 )

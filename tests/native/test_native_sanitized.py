@@ -3,6 +3,7 @@
 
 from pathlib import Path
 
+import pytest
 from programs import (
     C_COMPILER,
     COMPILER,
@@ -21,6 +22,7 @@ from programs import (
 pytestmark = needs_compiler
 
 
+@pytest.mark.slow
 def test_spoiled_arguments(tmp_path: Path) -> None:
     """Missing arrays, sizes, indices and numbers that make no sense: a status each time, never a crash."""
     program, driver = tmp_path / "boundary_fuzz", tmp_path / "boundary_fuzz.o"

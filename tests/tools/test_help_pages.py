@@ -88,6 +88,7 @@ def test_same_structure(language: str, name: str) -> None:
         assert not set(page.texts.get(tag, [])) & set(english.texts.get(tag, []))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", PAGES)
 @pytest.mark.parametrize("language", languages()[1:])
 def test_names_are_those_of_the_window(language: str, name: str) -> None:

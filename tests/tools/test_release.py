@@ -91,6 +91,7 @@ def opened(content: bytes) -> zipfile.ZipFile:
     return zipfile.ZipFile(io.BytesIO(content))
 
 
+@pytest.mark.slow
 def test_the_same_content_gives_the_same_bytes(
     release: ModuleType, libraries: Path, files: dict[str, bytes]
 ) -> None:
@@ -106,6 +107,7 @@ def test_the_loader_knows_every_platform(release: ModuleType) -> None:
     assert release.PLATFORMS[library.platform_name()].file == library.file_name()
 
 
+@pytest.mark.slow
 def test_addon_is_complete_and_starts(files: dict[str, bytes], tmp_path: Path) -> None:
     version = BalloonWorkbench.__version__
     with opened(files[f"film-balloon-{version}.zip"]) as archive:
@@ -127,6 +129,7 @@ def test_addon_is_complete_and_starts(files: dict[str, bytes], tmp_path: Path) -
     assert str(tmp_path) in told.stdout
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not (load._FOLDER / library.file_name()).is_file(), reason="make native has not run")
 def test_addon_brings_the_solver(files: dict[str, bytes], tmp_path: Path) -> None:
     with opened(files[f"film-balloon-{BalloonWorkbench.__version__}.zip"]) as archive:
@@ -200,6 +203,7 @@ def test_addon_has_the_sums_of_all_its_files(addon: dict[str, bytes]) -> None:
     assert sums_in(addon["SHA256SUMS"]) == sums_of(addon)
 
 
+@pytest.mark.slow
 def test_a_clone_of_the_branch_has_the_sums_also_on_windows(
     addon: dict[str, bytes], release: ModuleType, tmp_path: Path
 ) -> None:
@@ -273,6 +277,7 @@ def test_list_of_parts_says_what_the_libraries_are_made_of(
     assert all(name in third_party for name in named)
 
 
+@pytest.mark.slow
 def test_list_of_parts_names_every_package_that_is_imported(addon: dict[str, bytes]) -> None:
     parts_list = importlib.import_module("parts_list")
     own = {*sys.stdlib_module_names, "BalloonWorkbench", *HOSTS}

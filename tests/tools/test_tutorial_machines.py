@@ -26,6 +26,7 @@ TEXT = PAGE.read_text(encoding="utf-8")
 COARSE = ("--mesh-size", "40mm", "--only", "pattern", "--dpi", "40")
 
 
+@pytest.mark.slow
 def test_each_command_runs_and_makes_its_files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Coarsely, laid out in rows, and without the correction of `design`: others try the searches."""
     monkeypatch.chdir(tmp_path)

@@ -5,6 +5,8 @@ import ast
 import sys
 from pathlib import Path
 
+import pytest
+
 sys.path.append(str(Path(__file__).resolve().parents[1] / "users"))
 
 from promises import BEYOND, TUTORIAL, sentences
@@ -21,6 +23,7 @@ def held():
     ]
 
 
+@pytest.mark.slow
 def test_every_sentence_of_the_tutorial_is_played():
     assert sorted(held()) == sorted(set(held())), "said twice"
     assert [told for told in sentences() if told not in (*held(), *BEYOND)] == []

@@ -52,6 +52,7 @@ def state(doc):
     }
 
 
+@pytest.mark.slow
 def test_a_fault_in_a_recompute_keeps_what_was(made):
     doc, reports = made.balloon.Document, set()
     with injected.Engine() as engine:

@@ -302,6 +302,7 @@ def test_a_copy_lies_beside_what_it_was_copied_from(doc):
     assert not meetings(doc)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", [example.name for example in EXAMPLES])
 def test_an_example_lies_well_and_makes_room(name):
     doc = open_copy(next(example for example in EXAMPLES if example.name == name))
@@ -379,6 +380,7 @@ class _Story:
                     self.doc.removeObject(obj.Name)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(STORIES))
 def test_a_story(doc, seed, tmp_path):
     """After each step all lie beside each other."""

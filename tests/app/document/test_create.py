@@ -22,6 +22,7 @@ from BalloonWorkbench.core.job import Settings
 HEART = Path("resources/examples/pictures/heart.png")
 
 
+@pytest.mark.slow
 def test_picture_to_pattern(doc):
     parts = create.balloon_from_picture(doc, HEART, width="12 cm", mesh_size="14 mm")
     assert [obj.Status for obj in parts] == [status.READY] * 3
@@ -77,6 +78,7 @@ def test_film_of_the_library_keeps_its_name(doc):
     assert parts.balloon.Film == "kraft-paper"
 
 
+@pytest.mark.slow
 def test_several_shapes(doc):
     """Ring, L and S have their own names and do not disturb each other."""
     for make in (sketches.ring, sketches.rounded_l, sketches.letter_s):
@@ -97,6 +99,7 @@ def two_discs(path, larger=50):
     return path
 
 
+@pytest.mark.slow
 def test_each_shape_of_a_drawing_is_a_balloon(doc, tmp_path):
     parts = create.balloon_from_picture(
         doc, two_discs(tmp_path / "discs.json"), mesh_size=10, pressure=3, correct=False

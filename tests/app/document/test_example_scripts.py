@@ -31,6 +31,7 @@ def test_each_is_on_the_page_with_a_picture():
     assert all(path.stat().st_size < 80_000 for path in pictures.values())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", RUN)
 def test_it_makes_its_balloon(name):
     """Coarsely; as it is written it takes the correction that its picture shows."""

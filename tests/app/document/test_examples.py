@@ -39,6 +39,7 @@ def lies(pattern):
     return [box.XMin, box.YMin, box.XMax, box.YMax, pattern.IntakeAngle.Value]
 
 
+@pytest.mark.slow
 def test_it_opens_as_a_copy_and_recomputes(opened):
     assert opened.FileName == ""
     assert [obj.Status for obj in parts(opened)] == [status.READY] * 3
@@ -63,6 +64,7 @@ def test_it_opens_as_a_copy_and_recomputes(opened):
     assert lies(opened.Pattern) == pytest.approx(cut, abs=0.5)
 
 
+@pytest.mark.slow
 def test_the_heart_follows_its_spreadsheet():
     doc = open_copy(example("parametric-heart"))
     doc.Balloon.MeshSize = 20

@@ -31,6 +31,7 @@ def no_solver(monkeypatch):
     monkeypatch.setattr(BagRequest, "solve", solve)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("kind", "content", "settings"),
     [

@@ -96,6 +96,7 @@ def test_more_gores_are_nearer_to_the_profile(sphere):
     assert sphere.balloon.PanelCount == 6
 
 
+@pytest.mark.slow
 def test_a_profile_on_the_left_of_its_axis_is_the_same(doc):
     right, left = (body(doc, half_circle(doc, side=side)) for side in (1.0, -1.0))
     assert left.BodyDiameter.Value == pytest.approx(right.BodyDiameter.Value)

@@ -54,6 +54,7 @@ def test_the_panels_together_are_the_pattern(tetra):
         assert a.Shape.distToShape(b.Shape)[0] > 0
 
 
+@pytest.mark.slow
 def test_they_follow_the_number_of_gores(doc):
     made = BalloonWorkbench.from_profile(doc, gore_length=1000, gores=4, mesh_size=120)
     assert len(panels_of(made.pattern)) == len(made.pattern.PanelNames) >= 4
@@ -106,6 +107,7 @@ def test_a_deleted_one_is_made_again(tetra):
     assert [panel.Number for panel in panels_of(tetra.pattern)] == [1, 2, 3, 4]
 
 
+@pytest.mark.slow
 def test_a_band_taken_away_takes_its_panels_away(doc, tmp_path):
     path = tmp_path / "square.json"
     path.write_text('{"unit": "mm", "outer": [[0, 0], [120, 0], [120, 120], [0, 120]], "holes": []}')

@@ -101,6 +101,7 @@ def test_a_solid_in_so_many_panels(doc):
     assert made.PanelCount == 8
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("shape", "strips"),
     [
@@ -137,6 +138,7 @@ def drilled():
     return Part.makeBox(100, 80, 60).cut(Part.makeCylinder(15, 100, App.Vector(50, 40, -10)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("shape", "areas"),
     [
@@ -181,6 +183,7 @@ def test_faces_that_unroll_have_their_true_areas(doc, shape, areas):
     assert len(made) == len(areas) - len(known)
 
 
+@pytest.mark.slow
 def test_a_cone_inflates_to_its_closed_form(doc):
     """Inextensible film: 1.733304 R^3 for a cone of slant sqrt 2 R (panels sealed all round)."""
     cone = doc.addObject("Part::Cone", "Cone")
@@ -207,6 +210,7 @@ def test_no_closed_body_is_told(doc, shape, words):
     assert words in divided(doc, solid(doc, shape())).Status
 
 
+@pytest.mark.slow
 def test_a_mesh_of_the_document(doc):
     obj = doc.addObject("Mesh::Feature", "Ball")
     obj.Mesh = Mesh.createSphere(80.0, 24)
@@ -215,6 +219,7 @@ def test_a_mesh_of_the_document(doc):
     assert (made.Kind, made.PanelCount) == ("mesh", 6)
 
 
+@pytest.mark.slow
 def test_files(doc, tmp_path):
     Part.makeBox(100, 80, 60).exportStep(str(tmp_path / "box.step"))
     Mesh.createBox(100.0, 80.0, 60.0).write(str(tmp_path / "box.stl"))
@@ -243,6 +248,7 @@ def box_of(obj):
     return box
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("panels", [0, 12])
 def test_it_lies_beside_its_solid(doc, panels):
     """Also while its only seam is half a circle; at the solid's height, and still where that has grown."""
@@ -334,6 +340,7 @@ def test_text_for_a_number_is_told_in_a_sentence(doc):
         BalloonWorkbench.from_body(doc, doc.Box, panels="many")
 
 
+@pytest.mark.slow
 def test_how_it_lies_is_inflated_anew(doc):
     """A change of Lies, or of the margin, makes another balloon."""
     box = solid(doc, Part.makeBox(100, 100, 100))
@@ -357,6 +364,7 @@ def test_how_it_lies_is_inflated_anew(doc):
     assert len(set(keys)) == 3
 
 
+@pytest.mark.slow
 def test_what_was_shown_of_a_solid_changes_nothing(doc):
     """The window leaves its triangles in the shape."""
     drum = doc.addObject("Part::Cylinder", "Drum")

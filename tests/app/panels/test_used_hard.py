@@ -158,6 +158,7 @@ def test_an_expression_of_another_unit_leaves_the_body(doc):
     assert made.outline.Edge.Value in (before, 600)
 
 
+@pytest.mark.slow
 def test_gores_from_an_expression_of_zero(doc):
     """0 asks for as many as the accuracy needs; the panels follow."""
     made = BalloonWorkbench.from_profile(doc, gore_length=1000, gores=5, accuracy=0.05, mesh_size=150)

@@ -58,6 +58,7 @@ def work_out(obj):
     return outcome, found
 
 
+@pytest.mark.slow
 def test_rows_are_the_balloons_of_the_document(parts, tmp_path):
     """Each is what the document itself gives with these values, and a second run makes nothing."""
     obj = study_of(parts, {"Width": ["200 mm", "300 mm"], "pressure": ["1 kPa", "3000 Pa"]}, tmp_path)
@@ -298,6 +299,7 @@ def test_rows_are_known_when_the_document_is_opened_again(tmp_path):
         App.closeDocument(opened.Name)
 
 
+@pytest.mark.slow
 def test_from_a_macro(parts):
     obj = BalloonWorkbench.study(parts, {"Width": ["200 mm"], "MeshSize": ["30 mm"]}, jobs=1)
     assert (obj.Finished, obj.Failed) == (1, 0)

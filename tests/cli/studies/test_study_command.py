@@ -37,6 +37,7 @@ def written(place: Path, **study: Any) -> Path:
     return path
 
 
+@pytest.mark.slow
 def test_a_study_makes_what_the_command_makes(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
     """Failures of the simulation and of a row are rows; the number, the report and the files are the same."""
     table = tmp_path / "study.csv"
@@ -102,6 +103,7 @@ def worked(place: Path, *what: str, timeout: float = 60.0) -> dict[str, Finished
         return {jobs[finished.key]: finished for finished in ended}
 
 
+@pytest.mark.slow
 def test_what_ends_a_process_ends_one_job(place: Path) -> None:
     ended = worked(place, "print", "crash", "exit", "fault", "refuse", "fine", "hang", "last", timeout=8.0)
     sentences = {what: finished.sentence for what, finished in ended.items()}
@@ -147,6 +149,7 @@ def test_ctrl_c_keeps_what_was_made(tmp_path: Path) -> None:
     assert not [*filter(alive, beside)]
 
 
+@pytest.mark.slow
 def test_no_process_is_left_when_a_study_is_killed(tmp_path: Path) -> None:
     """It goes on afterwards; each balloon is in the table."""
     study = written(

@@ -110,6 +110,7 @@ def coached(outline: Outline, fitted: bool) -> None:
     sound(after, advise(after, FILM, fitted=fitted))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("features", FEATURES)
 def test_features_beside_each_other_have_an_answer(features: tuple[int, int, bool, bool]) -> None:
     coached(combined(*features), fitted=features[2])
@@ -122,6 +123,7 @@ def test_other_sizes_have_an_answer(seed: int) -> None:
             coached(outline, fitted=seed % 2 == 0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("design", "mesh_size"), [(inflate_outline, 0.013), (fit, 0.018)])
 def test_measured_findings_have_an_answer(design: Callable[..., Design], mesh_size: float) -> None:
     """A ring handle, a neck and a slot, inflated as drawn and fitted on a coarse mesh."""

@@ -54,6 +54,7 @@ def advised(name: str) -> tuple[Finding, ...]:
     return advise(RINGS[name], FILM, fitted=False).findings
 
 
+@pytest.mark.slow
 def test_findings_hold_in_the_simulation() -> None:
     scores = new_scores()
     relative_volume = []
@@ -72,6 +73,7 @@ def test_findings_hold_in_the_simulation() -> None:
         assert score.precision > 0.75, (rule, score.stray)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", TRIED)
 def test_a_ring_warps_as_its_simulation_does(name: str) -> None:
     """Neither the hole's size nor the ring's width alone tells; the height is right within a factor 1.5."""

@@ -115,6 +115,7 @@ def test_smooth_patterns(name: str) -> None:
             assert curve.joints[[0, -1]] == pytest.approx(contour.points[[0, -1]], abs=1e-12)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", [0, 2, 3, 4, 5, 8, 9, 14])
 def test_generated_patterns(seed: int) -> None:
     for contour in build_pattern(generated(seed), 0.005).contours:
@@ -223,6 +224,7 @@ def test_polyline_is_a_curve_of_lines() -> None:
     assert np.array_equal(curve.flattened(1e-3), NAMED["star"].outer)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["heart", "fish"])
 def test_patterns_of_pictures_take_a_tenth(name: str) -> None:
     """Ten times fewer lines and arcs than the seam of a corrected pattern has points, on average of weld and

@@ -60,6 +60,7 @@ def test_a_straight_arm_is_a_cylinder_as_wide_as_drawn(band: float) -> None:
     assert np.ptp(section[:, 2]) == pytest.approx(WIDTH, rel=0.03)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("sign", "limit"), [("O", 0.002), ("E", 0.005)])
 def test_letters_look_as_drawn(sign: str, limit: float) -> None:
     """Also on a mesh that the design has not seen, from the assembly alone."""

@@ -161,6 +161,7 @@ def test_copies_of_the_balloon_are_all_on_the_sheet() -> None:
     assert three.film_area == pytest.approx(one.film_area)
 
 
+@pytest.mark.slow
 def test_all_panels_are_laid_out_on_film(monkeypatch: pytest.MonkeyPatch) -> None:
     """In rows: the search does not make or lose any."""
     monkeypatch.setattr(nesting, "PACKAGE", "no_such_package")

@@ -32,6 +32,7 @@ def simulated(bag: Bag) -> list[tuple[tuple[int, float, bool], ...]]:
     return seams
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", sorted(set(BAGS) - {"envelope"}))
 def test_panels_glued_along_their_numbers_are_the_bag(name: str) -> None:
     bag = BAGS[name]

@@ -10,6 +10,7 @@ import logging
 import os
 
 import numpy as np
+import pytest
 from drawn_letters import SIGNS, letter_outline
 from drawn_shapes import generated
 
@@ -92,6 +93,7 @@ def tried(seed: int) -> tuple[Bag, Inflation]:
     return bag, inflate(meshed.assembly, film("mylar"), 2000.0, start=start)
 
 
+@pytest.mark.slow
 def test_random_bags_inflate() -> None:
     balloons = {seed: tried(seed)[1] for seed in range(COUNT)}
     for seed, balloon in balloons.items():

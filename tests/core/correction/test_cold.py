@@ -38,6 +38,7 @@ def made(design: Design) -> float:
     return error.mean / max(design.target.size)
 
 
+@pytest.mark.slow
 def test_what_is_promised_is_made() -> None:
     design = designed(letter_outline("sans bold", "O"))
     promised, found = design.residual.mean / max(design.target.size), made(design)
@@ -45,6 +46,7 @@ def test_what_is_promised_is_made() -> None:
     assert found == pytest.approx(promised, abs=5e-4)
 
 
+@pytest.mark.slow
 def test_a_snail_keeps_its_feelers() -> None:
     assert made(designed(snail())) <= 2e-3
 
@@ -62,6 +64,7 @@ def waved(outline: Outline, share: float) -> Outline:
     return outline.map(moved)
 
 
+@pytest.mark.slow
 def test_accidents_do_not_decide() -> None:
     """Another 0.1 % of the drawing, another first point, a coarser mesh: the same balloon."""
     drawing = letter_outline("sans bold", "S")

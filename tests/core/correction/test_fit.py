@@ -38,6 +38,7 @@ def test_there_are_eleven_pictures() -> None:
     assert len(NAMES) == 11
 
 
+@pytest.mark.slow
 def test_a_picture_inflates_to_the_drawing() -> None:
     """All of them: benchmarks/validation/correction.py."""
     drawing = read_picture(PICTURES / "butterfly.png", 0.3, None)
@@ -64,6 +65,7 @@ def test_pattern_of_a_disc_is_larger_by_the_elliptic_integral(backend: str | Non
     assert radius / 0.1 == pytest.approx(1.311028777, rel=3e-3)
 
 
+@pytest.mark.slow
 @FILMS
 def test_pattern_of_a_strip_is_wider_by_half_pi(film: Film) -> None:
     """Far from its ends a tube of width w, here 20 times as long, needs a strip of width pi/2 w.
@@ -113,6 +115,7 @@ def test_same_input_gives_the_same_pattern_to_the_last_digit() -> None:
     assert first.pattern.outer.tobytes() == second.pattern.outer.tobytes()
 
 
+@pytest.mark.slow
 def test_an_unreachable_drawing_is_marked() -> None:
     """A comb whose slits film closes still gives a valid pattern and a warning."""
     comb = [[0.0, 0.0], [0.3, 0.0], [0.3, 0.1]]

@@ -15,6 +15,7 @@ SHAPES = {name: letter(name) for name in ("B", "8")}
 LIMIT = 0.006  # of the larger dimension, for the mean error
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SHAPES)
 def test_holes_inflate_to_the_drawing(name: str) -> None:
     drawing = SHAPES[name]
@@ -26,6 +27,7 @@ def test_holes_inflate_to_the_drawing(name: str) -> None:
     assert design.residual.p95 < 3.0 * LIMIT * max(drawing.size)
 
 
+@pytest.mark.slow
 def test_small_holes_stay_open_and_keep_their_rim() -> None:
     """Film is taut round a hole, whose rim so needs the length that is drawn."""
     drawing = generated(19)

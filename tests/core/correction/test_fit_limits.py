@@ -61,6 +61,7 @@ def test_first_pattern_keeps_the_hole_of_a_ring() -> None:
 # The same answer on any mesh
 
 
+@pytest.mark.slow
 def test_few_and_many_vertices_give_the_same_pattern() -> None:
     """All pictures, and 5000 vertices: benchmarks/validation/accidents.py."""
     drawing = read_picture(PICTURES / "fish.png", 0.3, None)

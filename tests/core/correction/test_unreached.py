@@ -31,6 +31,7 @@ FAR = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", FAR)
 def test_what_cannot_be_reached_is_told_by_its_amount(name: str) -> None:
     """Within 20 % of the worse of two balloons on other meshes."""
@@ -47,6 +48,7 @@ def test_what_cannot_be_reached_is_told_by_its_amount(name: str) -> None:
     assert reason in sentence
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("x", "most"), [(0.0, 0.012), (0.05, 0.001)])
 def test_film_that_slides_along_the_rim_is_no_error(x: float, most: float) -> None:
     """Round a small hole the rim crumples more on one side; the outline stays where it is.

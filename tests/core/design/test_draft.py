@@ -104,6 +104,7 @@ def measures(inflation) -> np.ndarray:
     return np.array([inflation.volume, *(np.ptp(inflation.positions, axis=0) * (1.0, 1.0, 2.0))])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", shapes())
 def test_a_draft_is_near_the_fitted_balloon(name: str) -> None:
     """So the numbers do not jump when it comes."""

@@ -137,6 +137,7 @@ def test_the_lift_of_an_18_inch_balloon_gives_18_inches() -> None:
     assert design.pattern.size[0] == pytest.approx(18.0 * INCH, rel=0.019)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["star"])
 def test_pictures_meet_their_goal_in_few_designs_and_the_later_ones_are_short(name: str) -> None:
     drawing = read_picture(PICTURES / f"{name}.png", 0.3, None)

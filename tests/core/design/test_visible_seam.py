@@ -39,6 +39,7 @@ def test_a_trimmed_disc_is_nearer_to_the_exact_one(vertices: int) -> None:
     assert abs(film_like) < 0.75 * raw and abs(film_like) < 2e-3
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["star", "bear"])
 def test_a_pattern_of_few_vertices_fits_the_drawing_on_many(name: str) -> None:
     """The pattern found on 600 vertices, simulated with nine times as many, still makes the drawing."""

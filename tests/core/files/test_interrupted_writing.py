@@ -177,6 +177,7 @@ class Prepared:
         shutil.rmtree(self.base)
 
 
+@pytest.mark.slow
 def test_the_former_set_or_the_new_one(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """At once where two folders can be exchanged, and after any failure; else as soon as we look again."""
     for number, (name, fault, at) in enumerate(interruptions(tmp_path, monkeypatch)):
@@ -202,6 +203,7 @@ def test_the_former_set_or_the_new_one(tmp_path: Path, monkeypatch: pytest.Monke
                 assert (place / "more" / "mine").read_bytes() == b"mine", where
 
 
+@pytest.mark.slow
 def test_a_failure_leaves_nothing_hidden(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """What cannot be removed at that very moment is for the next run: that is rare."""
     with Prepared(tmp_path / "count", "used folder", monkeypatch) as (place, _):

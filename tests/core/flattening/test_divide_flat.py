@@ -25,6 +25,7 @@ def spot() -> Target:
     return read_target(SPOT, width=0.3)
 
 
+@pytest.mark.slow
 def test_more_panels_where_so_few_cross_themselves() -> None:
     with pytest.raises(AssemblyError, match="folded over"):
         check_bag(bag_of(few := divide(spot(), 12), flatten(few)).bag)
@@ -40,6 +41,7 @@ def test_as_many_as_wanted_where_they_lie_flat() -> None:
     assert made.target.notes == divide(ball(), 6).target.notes
 
 
+@pytest.mark.slow
 def test_where_no_number_will_do_it_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(place, "_lies_flat", lambda _division: False)
     monkeypatch.setattr(place, "_MORE", 1)

@@ -72,6 +72,7 @@ def patterns() -> dict[str, Pattern]:
     return found
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "kerf"), [("any-dxf", 0.0), ("lightburn", 0.0), ("lightburn", from_mm(0.3))]
 )

@@ -91,6 +91,7 @@ def continued(course: list[list[float]], word: str, stack: list[float]) -> list[
     return course
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["inkscape", "cricut"])
 def test_inkscape_draws_the_pattern(name: str, tmp_path: Path) -> None:
     made_for = machine(name)

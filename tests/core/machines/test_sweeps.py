@@ -124,6 +124,7 @@ def reached(waste: shapely.Geometry) -> shapely.Geometry:
     return waste.buffer(-0.5 * BEAM, quad_segs=16).buffer(0.5 * BEAM, quad_segs=16)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", FILES)
 def test_the_beam_leaves_the_pieces_of_the_pattern(name: str, tmp_path: Path) -> None:
     """Every contour closes: each piece falls out with its holes, as large as it was designed."""
@@ -167,6 +168,7 @@ def test_no_cut_crosses_a_seal_and_no_neck_is_slit(tmp_path: Path) -> None:
         hold_seals(sheet, swept(cut_lines(sheet, "gcode", tmp_path), BEAM), BEAM, title)
 
 
+@pytest.mark.slow
 def test_the_knife_cuts_the_pattern() -> None:
     """Its tip trails the axis and came down anywhere round it: all is cut, nothing else, and nothing twice
     but what runs past the start; near corners it is off by no more than its offset."""
@@ -254,6 +256,7 @@ def test_a_wheel_on_a_swivel_follows_the_weld() -> None:
         assert beside[20:-30].mean() < 0.02
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("arcs", [True, False])
 @pytest.mark.parametrize("wishes", [WHEEL, KNIFE], ids=["wheel", "knife"])
 def test_a_tool_that_an_axis_turns_points_along_the_path(wishes: ToolOptions, arcs: bool) -> None:

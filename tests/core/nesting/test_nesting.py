@@ -92,6 +92,7 @@ def test_hearts_on_a_roll() -> None:
     assert layout.length < nesting.layout_of(stock, pieces, row).length - 0.01
 
 
+@pytest.mark.slow
 @RIGHT
 def test_wedges_find_into_each_other() -> None:
     """Two triangles make about a rectangle: the library really nests, boxes would take twice the film; and
@@ -107,6 +108,7 @@ def test_wedges_find_into_each_other() -> None:
     assert layout.length < 1.5 * width
 
 
+@pytest.mark.slow
 @RIGHT
 def test_sheets_hold_as_many_as_fit() -> None:
     width, height = WEDGE.size

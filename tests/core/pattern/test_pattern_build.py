@@ -184,6 +184,7 @@ def test_chosen_direction(name: str, degrees: float) -> None:
     assert_makeable(pattern, NAMED[name])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("degrees", [0.0, 77.0, 190.0, 300.0])
 def test_slanting_necks_are_right_or_refused(degrees: float) -> None:
     built = 0

@@ -126,6 +126,7 @@ def through_air(sheet: Pattern, air: shapely.Geometry, machine: Machine) -> list
     return bad
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("extras", EXTRAS)
 @pytest.mark.parametrize("kind", list(intake_kinds()))
 def test_nothing_is_cut_through_the_air_space(kind: str, extras: str) -> None:

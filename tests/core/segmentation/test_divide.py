@@ -51,6 +51,7 @@ def areas(made: Division) -> np.ndarray:
     return np.bincount(made.panels, made.target.areas) / made.target.areas.sum()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("body", "count", "away"),
     [
@@ -127,6 +128,7 @@ def test_the_unit_does_not_matter() -> None:
     assert divide(large, 12).panels.tobytes() == divided(spot, 12).panels.tobytes()
 
 
+@pytest.mark.slow
 def test_a_body_whose_halves_differ_is_told() -> None:
     """A pinch on one side, small enough for a mirror plane."""
     target = ball((1.0, 0.7, 0.5), 24)

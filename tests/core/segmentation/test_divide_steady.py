@@ -39,6 +39,7 @@ def variant(target: Target, number: int) -> Target:
     return Target(points[order], np.roll(triangles, number % 2, axis=1).astype(np.int32))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("body", "count"), [(fish, 24), (rounded_box, 24)])
 @pytest.mark.parametrize("number", VARIANTS)
 def test_as_many_discs_however_the_body_is_given(body: Callable[[], Target], count: int, number: int) -> None:

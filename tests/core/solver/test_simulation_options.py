@@ -184,6 +184,7 @@ def test_whole_turns_of_a_grain_change_nothing() -> None:
     assert abs(kept(1e308)) < math.tau  # once it overflowed where panels are laid on film
 
 
+@pytest.mark.slow
 def test_design_to_a_volume_still_looks_like_the_drawing() -> None:
     """At a higher pressure the same silhouette needs a smaller pattern."""
     outline = Outline(RECTANGLE)

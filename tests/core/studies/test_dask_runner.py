@@ -140,6 +140,7 @@ def test_a_scheduler_by_its_address(folder: StudyFolder) -> None:
         assert len(run(folder, scheduler=cluster.scheduler_address)) == len(JOBS)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("kind", "module", "name"),
     [

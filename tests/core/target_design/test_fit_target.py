@@ -69,6 +69,7 @@ def test_panels_of_an_inflated_bag_come_back() -> None:
     assert differ.areas < 4e-3
 
 
+@pytest.mark.slow
 def test_the_balloon_of_a_random_bag_comes_back() -> None:
     """Its panels need not: where seams wrinkle, longer ones make the same balloon."""
     known = random_bag(2, POLYESTER, PRESSURE)
@@ -84,6 +85,7 @@ def test_gores_of_a_ball_are_equal_and_their_own_images() -> None:
     assert [copies.panels for copies in panel_copies(found.bag)] == [tuple(range(6))]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("kind", "sense"), [(ENCLOSE, 1.0), (INSIDE, -1.0)])
 def test_a_balloon_encloses_its_target_or_lies_inside_with_a_margin(kind: str, sense: float) -> None:
     design = fit_target(octants(), POLYESTER, PRESSURE, mode=TargetMode(kind, 0.05), mesh_size=0.15)

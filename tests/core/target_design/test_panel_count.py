@@ -53,6 +53,7 @@ def test_a_number_without_a_balloon_is_no_end() -> None:
     assert search.reaching >= 25
 
 
+@pytest.mark.slow
 def test_a_ball_takes_no_more_panels_than_gores_would() -> None:
     """16 %/n^2 of gored spheres: 1 % takes 4."""
     design = fit_body_to_accuracy(ball(count=8), 0.01, POLYESTER, PRESSURE, mesh_size=0.3)
@@ -81,6 +82,7 @@ def test_a_count_without_a_balloon_says_why() -> None:
     assert math.isinf(point.error)
 
 
+@pytest.mark.slow
 def test_the_curve_stops_between_two_counts_and_goes_on() -> None:
     body, told = ball(count=8), []
 

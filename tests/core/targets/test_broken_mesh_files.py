@@ -60,6 +60,7 @@ def read(paths: list[Path], folder: Path) -> list[str]:
     return said
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("first", range(0, COUNT, _LOT))
 def test_a_body_or_one_sentence(first: int, tmp_path: Path) -> None:
     paths = [broken_file(number, tmp_path) for number in range(first, min(first + _LOT, COUNT))]

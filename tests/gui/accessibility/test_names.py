@@ -30,6 +30,7 @@ def test_panel_of_a_balloon(made):
     assert not told, "\n".join(told)
 
 
+@pytest.mark.slow
 def test_panels_of_new_balloons(doc):
     told = [
         *look(every_panel.picture(doc)),
@@ -41,6 +42,7 @@ def test_panels_of_new_balloons(doc):
     assert not told, "\n".join(told)
 
 
+@pytest.mark.slow
 def test_other_panels(made):
     told = look(every_panel.others(made))
     assert not told, "\n".join(told)
@@ -73,6 +75,7 @@ def test_pattern_view(made):
     assert not told, "\n".join(told)
 
 
+@pytest.mark.slow
 def test_outline_editor(doc, tmp_path):
     """Tab goes to the next node in it: F6 leaves the view, and comes to its buttons with Tab."""
     told = []

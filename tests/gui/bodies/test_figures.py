@@ -80,6 +80,7 @@ def test_seams_have_the_colours_and_numbers_of_the_pattern(ball):
     assert {str(number + 1) for number in range(seams)} <= texts
 
 
+@pytest.mark.slow
 def test_curve_slider_and_accuracy(ball, stand_in):
     stand_in.setattr(panel_curve_box, "COUNTS", (8, 12))
     ball.balloon.Live = False

@@ -13,6 +13,7 @@ from BalloonWorkbench.app.document.examples import EXAMPLES
 from BalloonWorkbench.gui.paint import window as paint_window
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("example", EXAMPLES, ids=lambda example: example.name)
 def test_it_opens_from_the_menu(example):
     assert f"BalloonWorkbench_Example_{example.name.replace('-', '_')}" in Gui.listCommands()
@@ -33,6 +34,7 @@ def test_it_opens_from_the_menu(example):
     assert len(colours) > 200  # shaded, not flat
 
 
+@pytest.mark.slow
 def test_the_heart_follows_a_cell_beside_its_panel():
     with framed():
         Gui.runCommand("BalloonWorkbench_Example_parametric_heart")

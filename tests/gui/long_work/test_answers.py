@@ -28,6 +28,7 @@ def test_paint_window(doc, beat):
     assert beat.answers(), beat.most
 
 
+@pytest.mark.slow
 def test_panels(made, beat):
     """Those of the balloon, of what is seen of it, and of what is made with it."""
     Gui.Selection.addSelection(made.balloon)

@@ -26,6 +26,7 @@ def solved(doc):
     return lambda: doc.getObject("Balloon").SolvedFor != "" and hands.find("Apply").isVisible()
 
 
+@pytest.mark.slow
 def test_selected_sketch_becomes_a_ball(half):
     doc = half.Document
     Gui.Selection.addSelection(half)
@@ -55,7 +56,7 @@ class _Painted(hands.QtCore.QObject):
         super().__init__()
         self.field, self.seen = field, set()
 
-    def eventFilter(self, page, event):
+    def eventFilter(self, page, event):  # noqa: N802
         if event.type() == hands.QtCore.QEvent.Paint:
             self.seen.add((page.height(), self.field.mapTo(page, hands.QtCore.QPoint(0, 0)).y()))
         return False

@@ -72,6 +72,7 @@ def test_colours_and_their_legend(cube):
     hands.wait_until(hands.panel_is_closed)
 
 
+@pytest.mark.slow
 def test_how_far_gores_are_from_their_profile(doc):
     arc = Part.ArcOfCircle(
         Part.Circle(App.Vector(), App.Vector(0, 0, 1), 100.0), -0.5 * math.pi, 0.5 * math.pi
@@ -93,6 +94,7 @@ def test_how_far_gores_are_from_their_profile(doc):
     hands.wait_until(hands.panel_is_closed)
 
 
+@pytest.mark.slow
 def test_the_inflation_is_played(cube):
     run("Animate", cube.balloon)
     hands.wait_until(lambda: hands.find("Play").isVisible(), 120)

@@ -58,6 +58,7 @@ def finish(doc):
     hands.wait_until(hands.panel_is_closed, 120)
 
 
+@pytest.mark.slow
 def test_selected_box_becomes_a_balloon(box, lines, tmp_path):
     doc = box.Document
     open_panel(box)
@@ -116,6 +117,7 @@ def test_cancel_leaves_nothing(box, lines):
     assert not lines
 
 
+@pytest.mark.slow
 def test_a_file_is_chosen(doc, lines, tmp_path, stand_in):
     path = tmp_path / "block.stl"
     Mesh.createBox(100.0, 80.0, 60.0).write(str(path))

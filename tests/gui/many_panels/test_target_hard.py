@@ -66,6 +66,7 @@ def test_its_solid_changes(amid, held):
     assert amid.Balloon.Volume.getValueAs("l").Value == pytest.approx(2.532, rel=0.05)
 
 
+@pytest.mark.slow
 def test_values_in_any_order(amid, held):
     for name, text in (
         ("Panels", "8"),
@@ -108,6 +109,7 @@ def test_closed_amid_the_work(amid):
     assert hands.panel_is_closed()
 
 
+@pytest.mark.slow
 def test_another_solid_is_picked_and_one_without_a_body(amid, held):
     ball = amid.addObject("Part::Cylinder", "Drum")
     ball.Radius, ball.Height = 50, 80

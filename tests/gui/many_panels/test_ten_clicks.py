@@ -93,6 +93,7 @@ def is_shown(name):
     return any(widget.objectName() == name for widget in hands.visible(hands.QtWidgets.QWidget))
 
 
+@pytest.mark.slow
 def test_a_solid_is_on_film_in_ten_clicks(solid, clicks, tmp_path):
     doc = solid.Document
     preferences.put_export_folder(doc, tmp_path)

@@ -74,6 +74,7 @@ def finish():
     hands.wait_until(hands.panel_is_closed, 240)
 
 
+@pytest.mark.slow
 @pytest.mark.works_out
 def test_from_a_solid_to_its_balloon(housing, quick):
     doc = housing.Document
@@ -109,12 +110,14 @@ def example():
     return App.ActiveDocument
 
 
+@pytest.mark.slow
 def test_on_film_and_into_a_file(example, tmp_path):
     with framed():
         _on_film(example)
         _as_dxf(example, tmp_path / "housing.dxf")
 
 
+@pytest.mark.slow
 def test_a_dimension_changes(example):
     with framed():
         example.Housing.ViewObject.Visibility = True
@@ -172,6 +175,7 @@ def test_spot_is_opened_from_the_examples():
         hands.leave()
 
 
+@pytest.mark.slow
 def test_a_cover(example):
     """Nowhere nearer than 5 mm to the body, so larger by more than a layer of that."""
     example.Balloon.MeshSize = COARSE

@@ -133,6 +133,7 @@ def test_escape_lets_go_and_leaves(made):
     hands.wait_until(lambda: not tabs._tabs, 5)
 
 
+@pytest.mark.slow
 def test_the_balloon_follows_when_the_tab_closes(doc, tmp_path):
     made = create.balloon_from_picture(
         doc, picture(tmp_path), width=200, mesh_size="20 mm", mode="Inflate as drawn", drawn_as="Filled shape"

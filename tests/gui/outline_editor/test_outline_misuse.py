@@ -106,6 +106,7 @@ def test_a_picture_of_other_colours_is_shown(made, tmp_path):
     hands.wait_until(lambda: not len(blue(tab)), 5)
 
 
+@pytest.mark.slow
 def test_steps_of_a_panel_end_with_it(doc, tmp_path):
     """Ctrl+Z in a later panel does not reach back into an earlier one."""
     tab = open_in_panel(doc, tmp_path)

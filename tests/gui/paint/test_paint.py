@@ -163,6 +163,7 @@ def test_nothing_lies_over_the_canvas_of_a_small_window(doc):
         close_window()
 
 
+@pytest.mark.slow
 def test_a_click_widens_an_arm_that_is_too_thin(framed_window):
     window = framed_window
     canvas = window.canvas
@@ -242,6 +243,7 @@ def test_a_picture_is_paint_or_backdrop(window):
     assert "not a picture" in window.form.hint.text()
 
 
+@pytest.mark.slow
 def test_painting_comes_back_by_double_click(doc, window, tmp_path):
     press(f"PaintColour{RED}")
     draw(window.canvas, ellipse(0.5, 0.5, 0.3, 0.2))

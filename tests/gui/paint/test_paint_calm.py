@@ -105,6 +105,7 @@ def colour_of_the_line(window):
     press("PaintPen")
 
 
+@pytest.mark.slow
 def test_what_leaves_the_outline_alone_leaves_the_balloon_alone(window):
     """Each change on the bare oval, which is had back after it."""
     oval(window)
@@ -134,6 +135,7 @@ def until_shown(window, watch):
     hands.wait_until(lambda: any(look.revision == revision for look in watch.looks), 30)
 
 
+@pytest.mark.slow
 @pytest.mark.works_out
 def test_an_inner_line_that_touches_the_rim_shows_no_draft(window):
     oval(window)
@@ -148,6 +150,7 @@ def test_an_inner_line_that_touches_the_rim_shows_no_draft(window):
     assert silhouette_jump(before, view_picture(window)) < 0.01
 
 
+@pytest.mark.slow
 def test_the_document_gets_the_new_painting(doc, window):
     oval(window)
     fill(window)
@@ -159,6 +162,7 @@ def test_the_document_gets_the_new_painting(doc, window):
     assert not [text for text in doc.Balloon.Warnings if "pen drawing" in text]
 
 
+@pytest.mark.slow
 @pytest.mark.works_out
 def test_a_known_shape_comes_back_at_once(window):
     oval(window)
@@ -182,6 +186,7 @@ def test_a_known_shape_comes_back_at_once(window):
         watch.until_settled()
 
 
+@pytest.mark.slow
 @pytest.mark.works_out
 def test_a_draft_is_said_to_be_one_and_is_near(window):
     watch = Watch(window)
@@ -220,6 +225,7 @@ def test_the_film_moves_from_the_draft_to_the_fitted_balloon(window):
     hands.wait_until(lambda: not window.scene.is_moving(), 10)
 
 
+@pytest.mark.slow
 @pytest.mark.works_out
 def test_a_cleared_sheet_says_what_to_do_first(window):
     left, right = arc(0.3, 0.5, 0.18, 3, 357), arc(0.75, 0.5, 0.15, 178, -178)

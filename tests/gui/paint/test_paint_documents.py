@@ -60,6 +60,7 @@ def activate(doc):
     hands.wait(0.3)
 
 
+@pytest.mark.slow
 def test_a_new_document_while_painting(doc):
     first = open_window()
     fish_body(first)
@@ -121,6 +122,7 @@ def test_a_new_document_while_the_balloon_is_being_made(doc):
     assert "Stopped" in window.form.hint.text() or window.live.is_busy()
 
 
+@pytest.mark.slow
 def test_another_painting_in_the_same_document_is_kept_too(doc):
     window = open_window()
     fish_body(window)

@@ -76,6 +76,7 @@ def studied(monkeypatch):
     return found
 
 
+@pytest.mark.slow
 def test_a_fish_from_the_first_stroke_to_the_cutter(doc, window, beat, pointer, studied, tmp_path):
     glances = paint(window, beat, pointer)
     record("painting", beat, glances, new_view=True)

@@ -143,6 +143,7 @@ def test_a_mouse_leaves_the_keys_with_the_canvas(window):
         assert f"({tool.key})" in hands.find(f"Paint{tool.name.title()}").toolTip()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_it_fits_on_a_small_screen(doc, language):
     Gui.setLocale(language)

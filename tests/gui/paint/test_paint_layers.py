@@ -93,6 +93,7 @@ def test_without_a_shape_it_says_that_there_is_nothing_to_decorate(window):
     assert not window.making
 
 
+@pytest.mark.slow
 @pytest.mark.works_out
 def test_the_outline_in_the_document_does_not_see_the_decoration(doc, window, tmp_path):
     """A ring drawn with the pen, whose inside is bare, is decorated so that it would be another drawing."""

@@ -44,6 +44,7 @@ def searches(monkeypatch):
     return found
 
 
+@pytest.mark.slow
 def test_no_arc_is_looked_for_before_the_fitted_balloon_is_shown(window, searches, monkeypatch):
     before, pause = [], requests.FullDesign._pause
 
@@ -70,6 +71,7 @@ def test_no_arc_is_looked_for_before_the_fitted_balloon_is_shown(window, searche
     assert cut[0] == pytest.approx(cut[1], abs=0.2)  # mm: the same pattern, faired
 
 
+@pytest.mark.slow
 def test_make_it_does_not_wait_for_a_rest(window, monkeypatch):
     monkeypatch.setattr(requests, "_PAUSE", _LONG)
     draw(window.canvas, ellipse(0.5, 0.5, 0.3, 0.2))
@@ -80,6 +82,7 @@ def test_make_it_does_not_wait_for_a_rest(window, monkeypatch):
     assert len(window.doc.Objects) >= 3
 
 
+@pytest.mark.slow
 def test_the_next_stroke_ends_a_study_that_rests(window, monkeypatch):
     monkeypatch.setattr(requests, "_PAUSE", _LONG)
     live = window.live
@@ -92,6 +95,7 @@ def test_the_next_stroke_ends_a_study_that_rests(window, monkeypatch):
     hands.wait_until(live.is_fitted, 60)
 
 
+@pytest.mark.slow
 def test_the_balloon_comes_with_the_next_frame_of_the_window(window):
     """Not with the one after it: each takes its time without a graphics card."""
     draw(window.canvas, ellipse(0.5, 0.5, 0.3, 0.2))

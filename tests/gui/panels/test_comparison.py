@@ -89,6 +89,7 @@ def test_a_length_is_marked_and_the_balloon_compared(made, photo, tmp_path, stan
     hands.press("Close")
 
 
+@pytest.mark.slow
 def test_the_fitted_film_is_kept_and_gets_the_mean_of_photographs(made, photo, own_films, stand_in):
     lines = []
     stand_in.setattr(macro_recorder, "call", lambda *words, **named: lines.append((words, named)))
@@ -124,6 +125,7 @@ def test_the_fitted_film_is_kept_and_gets_the_mean_of_photographs(made, photo, o
     hands.press("Close")
 
 
+@pytest.mark.slow
 def test_what_makes_no_sense_is_told_in_the_panel(made, photo, tmp_path):
     empty = tmp_path / "empty.png"
     empty.write_bytes(png(np.full((200, 300, 4), 220, np.uint8)))

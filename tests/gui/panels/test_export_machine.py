@@ -236,6 +236,7 @@ def test_place_of_a_remark_is_marked_in_the_view(made):
     assert root.getNumChildren() == before
 
 
+@pytest.mark.slow
 def test_tool_paths_come_into_the_document_and_one_undo_takes_them_back(made, stand_in):
     """Offered for machines that read G-code; without what only the user knows the panel stays and says so."""
     document, before = made.pattern.Document, len(made.pattern.Document.Objects)

@@ -46,6 +46,7 @@ def apply():
     hands.wait_until(lambda: hands.find("Apply").isVisible())
 
 
+@pytest.mark.slow
 def test_ok_makes_the_balloon(panel):
     hands.press("Ok")
     hands.wait_until(hands.panel_is_closed)
@@ -122,6 +123,7 @@ def test_stop_keeps_the_panel_and_the_last_result(panel):
     assert hands.message()
 
 
+@pytest.mark.slow
 @pytest.mark.works_out
 def test_window_lives_while_it_works(panel):
     beats = []
@@ -240,6 +242,7 @@ def test_undo_closes_the_panel(panel):
     assert names(panel) == []
 
 
+@pytest.mark.slow
 def test_each_shape_of_the_drawing_becomes_a_balloon(panel, tmp_path):
     def boxes(*sides):
         parts = [
@@ -276,6 +279,7 @@ def test_preview_comes_to_rest_in_a_panel_of_any_height():
     area.close()
 
 
+@pytest.mark.slow
 @pytest.mark.works_out  # what is known already closes the panel at Return
 def test_the_side_that_follows_is_shown(panel):
     """Not as 0: what the drawing comes to; with the proportions kept the side that was typed last decides."""

@@ -28,6 +28,7 @@ def solved():
     return hands.find("Apply").isVisible()
 
 
+@pytest.mark.slow
 def test_selected_sketch_is_inflated_at_once(rectangle):
     doc = rectangle.Document
     Gui.Selection.addSelection(rectangle)
@@ -118,6 +119,7 @@ def test_cancelled_edit_changes_nothing(made):
     assert doc.UndoNames == []
 
 
+@pytest.mark.slow
 def test_field_of_a_bound_property_shows_it(made):
     made.balloon.setExpression("Pressure", "1 kPa + 2 kPa")
     made.balloon.Document.recompute()

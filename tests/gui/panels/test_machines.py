@@ -109,6 +109,7 @@ def test_edited_again_from_the_export_panel_renamed_and_deleted(made, folder):
     hands.press("Cancel")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("key", "text", "sentence"),
     [

@@ -47,6 +47,7 @@ def colours_in_view():
     return blue / len(seen), yellow / len(seen)
 
 
+@pytest.mark.slow
 def test_artwork_is_chosen_shown_written_and_undone(made, tmp_path, stand_in):
     run("Artwork")
     assert "no picture" in hands.find("ArtworkMessage").text()
@@ -115,6 +116,7 @@ def test_cancel_takes_the_artwork_back(made):
     assert artwork.of_balloon(made.balloon) is None
 
 
+@pytest.mark.slow
 def test_layout_on_film(made, tmp_path, stand_in):
     """Six pieces on a roll; refused where they do not fit; offered for export."""
     stand_in.setattr(nesting, "PACKAGE", "no_such_package")

@@ -42,6 +42,7 @@ def run(name):
     hands.wait_until(hands.panel_is_seen)
 
 
+@pytest.mark.slow
 def test_each_kind_is_written(made, macro, tmp_path, monkeypatch):
     """A folder that is a file keeps the panel open with a sentence; a file that is there is asked about."""
     monkeypatch.setattr(sharing, "_LARGE", (160, 120))

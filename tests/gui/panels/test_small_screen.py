@@ -63,6 +63,7 @@ def look(panels, language):
     return told
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_panel_of_a_balloon(small, speak, made, language):
     speak(language)
@@ -77,6 +78,7 @@ def test_panel_of_a_picture(small, speak, doc, language):
     assert not told, "\n".join(told)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("language", LANGUAGES)
 @pytest.mark.parametrize(("command", "entry"), [("FromProfile", 1), ("FromPanels", 6)])
 def test_panels_of_many_panels(small, speak, doc, language, command, entry):
@@ -85,6 +87,7 @@ def test_panels_of_many_panels(small, speak, doc, language, command, entry):
     assert not told, "\n".join(told)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_panel_of_a_body(small, speak, doc, language):
     speak(language)
@@ -101,6 +104,7 @@ def tiny_bed():
     preferences.put_bed(machine, None)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_other_panels(small, speak, made, tiny_bed, language):
     speak(language)

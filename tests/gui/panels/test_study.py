@@ -113,6 +113,7 @@ def test_rows_are_made_worked_out_seen_and_taken(study):
     assert balloon.Pressure.Value == 2.0
 
 
+@pytest.mark.slow
 def test_stopped_and_gone_on_with(study):
     make_rows("1 kPa", "2 kPa", 36)  # more than are done while a click is awaited
     hands.click(hands.find("StudyStart"))
@@ -157,6 +158,7 @@ def test_the_document_is_closed_while_rows_are_worked_out(study):
     assert hands.panel_is_closed()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("gone", ["Table", "Balloon"])
 def test_what_it_needs_is_deleted(study, gone):
     """A sentence says what to choose; the panel can still be left."""

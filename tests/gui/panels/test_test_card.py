@@ -83,6 +83,7 @@ def test_another_tool_on_a_machine(folder):
     assert b"S12000" in (folder / "card" / "test-card.gcode").read_bytes()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("texts", "sentence"),
     [

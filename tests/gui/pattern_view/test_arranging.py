@@ -192,6 +192,7 @@ def test_a_panel_that_is_open_keeps_pieces_where_they_are(tab, opened):
     assert not opened.pattern.ArrangedPieces
 
 
+@pytest.mark.slow
 def test_gores_that_come_and_go(doc):
     gores = create.balloon_from_profile(doc, None, gores=6, gore_length="400 mm", mesh_size="40 mm")
     tab = open_tab(gores.pattern)

@@ -102,6 +102,7 @@ def test_the_print_lies_on_both_panels(made, quarters):
     assert tab.looks.list.currentData() == "Film"
 
 
+@pytest.mark.slow
 def test_many_panels_have_print_and_results(doc, quarters):
     box = create.balloon_from_panels(doc, "Box", mesh_size="30 mm")
     artwork.make(box.pattern, str(quarters))

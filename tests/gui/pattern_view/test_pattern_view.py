@@ -98,6 +98,7 @@ def test_it_follows_recomputes_and_keeps_what_it_had(made):
     hands.wait_until(closed, 5)
 
 
+@pytest.mark.slow
 def test_two_documents_have_a_tab_each(made, box):
     one, other = open_tab(made.pattern), open_tab(box.pattern)
     assert one is not other

@@ -284,6 +284,7 @@ def test_balloon_is_picked_in_the_view(made):
     assert info["Object"] == "Balloon"
 
 
+@pytest.mark.slow
 def test_inflation_is_played(made, tmp_path):
     film = picture(tmp_path)
     Gui.runCommand("BalloonWorkbench_Animate")

@@ -193,6 +193,7 @@ def test_a_canvas_that_cannot_be_painted_is_one_message(doc, monkeypatch):
     brush.close_window()
 
 
+@pytest.mark.slow
 def test_make_it_says_why_it_cannot_go_on_and_goes_on_the_next_time(doc, monkeypatch):
     window = brush.open_window()
     window.live.settings = Settings(correct=False, mesh_size=0.02)

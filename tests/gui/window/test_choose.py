@@ -114,6 +114,7 @@ def labels():
     return [label.text() for label in hands.visible(QtWidgets.QLabel)]
 
 
+@pytest.mark.slow
 def test_a_draft_is_shown_before_the_balloon(doc, monkeypatch):
     """About the size and volume that the fitted balloon has, in the 3D view and in the panel."""
     made = []

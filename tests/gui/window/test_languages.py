@@ -57,6 +57,7 @@ PANELS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("language", PANELS)
 def test_panel(speak, doc, language):
     speak(language)
@@ -94,6 +95,7 @@ COACH = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("language", COACH)
 def test_coach(speak, doc, language):
     speak(language)
@@ -193,6 +195,7 @@ SHEETS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(shutil.which("pdftotext") is None, reason="poppler-utils are not installed")
 @pytest.mark.parametrize("language", SHEETS)
 def test_assembly_sheet(speak, made, language, tmp_path):

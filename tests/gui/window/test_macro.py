@@ -81,6 +81,7 @@ os._exit(0)
     return json.loads(told.read_text(encoding="utf-8"))
 
 
+@pytest.mark.slow
 def test_new_balloon_from_picture(macro, tmp_path):
     Gui.runCommand("BalloonWorkbench_FromPicture")
     hands.wait_until(hands.panel_is_seen)
@@ -227,6 +228,7 @@ def replay(lines):
     exec("\n".join(lines), {"App": App, "Gui": Gui})
 
 
+@pytest.mark.slow
 def test_paint(doc, macro):
     window = brush.open_window()
     brush.press(f"PaintColour{brush.RED}")
@@ -246,6 +248,7 @@ def test_paint(doc, macro):
         assert found == pytest.approx(expected[name], rel=1e-6)
 
 
+@pytest.mark.slow
 def test_artwork_layout_assembly_and_map(made, rectangle_file, macro, tmp_path):
     """Four commands of one balloon; their lines do the same to a balloon that has seen none of them."""
     picture, page = tmp_path / "blue.png", tmp_path / "sheet.pdf"

@@ -52,6 +52,7 @@ PANELS = ("Advice", "Animate", "Artwork", "AssemblySheet", "ColourMap", "Compare
 PANELS += ("ExportForWeb", "Study")
 
 
+@pytest.mark.slow
 def test_nothing_shows_an_address(made):
     """All widgets of a panel, on all its pages, and of the window's own bars."""
     for command in (*PANELS, "balloon", "Equipment", "Machines", "TestCard", "Paint"):
@@ -179,6 +180,7 @@ def _macro(made, folder):
         create.configure(made, material="cheese")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "mistake",
     [

@@ -193,6 +193,7 @@ def test_every_command_is_here():
     assert known == CHANGES.keys() | LOOKS.keys() | OTHERS
 
 
+@pytest.mark.slow
 def test_all_commands_are_undone_one_by_one(arm):
     steps = [partial(run, name, work) for name, work in CHANGES.items()]
     states = [held(arm)]
@@ -214,6 +215,7 @@ def test_all_commands_are_undone_one_by_one(arm):
     assert list(arm.UndoNames) == names
 
 
+@pytest.mark.slow
 def test_commands_that_only_look_leave_nothing_to_undo(arm):
     before = held(arm)
     for name, work in LOOKS.items():
