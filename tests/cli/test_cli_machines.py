@@ -6,10 +6,17 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+import numpy as np
 import pytest
 
-from BalloonWorkbench.cli import command_line
+from BalloonWorkbench.cli import command_line, many_panels
+from BalloonWorkbench.core.bag_job import make_bags
+from BalloonWorkbench.core.bags.read_bag import read_bag
+from BalloonWorkbench.core.job import Settings
 from BalloonWorkbench.core.machines.machine import FOLDER, machine
+from BalloonWorkbench.core.outline.budget import Budget
+
+CUBE = str(Path(__file__).parents[2] / "resources" / "examples" / "bags" / "cube.json")
 
 
 @pytest.fixture
@@ -217,3 +224,20 @@ def test_a_card_is_made_and_its_best_field_is_a_machine(
         told = capfd.readouterr().err
         assert sentence in told
         assert told.count("\n") == 1
+
+
+@pytest.mark.slow
+def test_panels_are_scaled_until_they_fit_a_bed(tmp_path: Path) -> None:
+    """The pattern fits, the document gets the panels at that size, and all are smaller by the same."""
+    words = ("--machine", "inkscape", "--bed", "200x1200mm", "--oversize", "scale", "--mesh-size", "60mm")
+    assert command_line.main(["inflate", CUBE, "--out", str(tmp_path / "out"), *words]) == 0
+    report = json.loads((tmp_path / "out" / "report.json").read_text(encoding="utf-8"))
+    sides = report["pattern"]["width_mm"], report["pattern"]["height_mm"]
+    assert min(sides) <= 200.0
+    made = make_bags(CUBE, Settings(mesh_size=0.06), scale=0.5)
+    with many_panels.file_of(CUBE, made) as file:
+        again = read_bag(Path(file).read_bytes(), Budget())
+    before = read_bag(Path(CUBE).read_bytes(), Budget())
+    for one, other in zip(again.panels, before.panels, strict=True):
+        assert np.allclose(one.outer, 0.5 * other.outer, atol=1e-9)
+    assert made.sheet.seal_width == Settings().film.seal_width

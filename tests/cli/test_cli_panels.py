@@ -16,12 +16,8 @@ import numpy as np
 import pytest
 from drawn_pictures import coloured, drawn, png, ring
 
-from BalloonWorkbench.cli import main, many_panels
-from BalloonWorkbench.core.bag_job import make_bags
-from BalloonWorkbench.core.bags.read_bag import read_bag
-from BalloonWorkbench.core.job import Settings
+from BalloonWorkbench.cli import main
 from BalloonWorkbench.core.nesting import nest as nesting
-from BalloonWorkbench.core.outline.budget import Budget
 
 ROOT = Path(__file__).parents[2]
 BAGS, PROFILES = ROOT / "resources" / "examples" / "bags", ROOT / "resources" / "examples" / "profiles"
@@ -383,19 +379,3 @@ def test_a_broken_file_is_told_with_an_example_of_its_kind(
     assert main(["inflate", str(source), "--out", str(tmp_path / "out"), "--language", "en"]) != 0
     told = capsys.readouterr().err
     assert example in told.split("Write")[1]
-
-
-@pytest.mark.slow
-def test_panels_are_scaled_until_they_fit_a_bed(tmp_path: Path) -> None:
-    """The pattern fits, the document gets the panels at that size, and all are smaller by the same."""
-    words = ("--machine", "inkscape", "--bed", "200x1200mm", "--oversize", "scale", "--mesh-size", "60mm")
-    report = run("inflate", CUBE, tmp_path / "out", *words)
-    sides = report["pattern"]["width_mm"], report["pattern"]["height_mm"]
-    assert min(sides) <= 200.0
-    made = make_bags(CUBE, Settings(mesh_size=0.06), scale=0.5)
-    with many_panels.file_of(CUBE, made) as file:
-        again = read_bag(Path(file).read_bytes(), Budget())
-    before = read_bag(Path(CUBE).read_bytes(), Budget())
-    for one, other in zip(again.panels, before.panels, strict=True):
-        assert np.allclose(one.outer, 0.5 * other.outer, atol=1e-9)
-    assert made.sheet.seal_width == Settings().film.seal_width
