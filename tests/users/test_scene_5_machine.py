@@ -13,11 +13,13 @@ import sketches
 import steps
 from drawn_pictures import png
 from print_and_cut import disagreement, lines_of, marks_of, photographed
+from story import view_box
 from user import show
 
 from BalloonWorkbench.app import artwork
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document import create
+from BalloonWorkbench.app.drawings.qt_picture import pixels
 from BalloonWorkbench.app.engine import film_result
 from BalloonWorkbench.app.properties import film
 from BalloonWorkbench.core.as_made.comparison import with_rim
@@ -93,11 +95,19 @@ def _tool_paths(user, story, doc, pattern):
     jobs = [obj for obj in doc.Objects[before:] if obj.Name.startswith("Job")]
     assert len(jobs) == 1, "there is no job"
     (welds,) = jobs[0].Operations.Group
+    story.expect(_green() > 200, "the path cannot be seen in the 3D view")
     code = welds.Path.toGCode()
     story.expect("M104" in code or "M109" in code, "the tip is not heated")
     story.expect("G1" in code, "nothing is welded")
     _simulated(user, story, doc, jobs[0])
     jobs[0].ViewObject.Visibility = False  # what it shows is looked at in its own workbench
+
+
+def _green():
+    """How many pixels of the 3D view have the colour of feeds."""
+    view = QtWidgets.QApplication.primaryScreen().grabWindow(0, *view_box().getRect())
+    red, green, blue = pixels(view.toImage())[..., :3].astype(int).transpose(2, 0, 1)
+    return ((green > red + 20) & (green > blue + 20)).sum()
 
 
 def _simulated(user, story, doc, job):

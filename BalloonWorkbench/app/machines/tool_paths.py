@@ -21,6 +21,7 @@ _FILM, _TOOL = 0.1, 0.2
 #: How thick the board below the film is in the stock, as a part of its longer side: FreeCAD's simulator shows
 #: nothing that is thinner than its grid, of 1 % of that side at most.
 _BOARD = 0.02
+_CLEAR = 80  # %: the film lies at the origin, as the machine has it, and a hot tip moves below its upper face
 
 
 def tool_paths(
@@ -79,6 +80,9 @@ def add_jobs(document, path: Path) -> list:
     jobs = [obj for obj in document.Objects if obj.Name not in before and hasattr(obj, "Operations")]
     for job in jobs:
         job.Proxy.obj = job  # its operations ask for it; a job that is merged is not told
+        for model in job.Model.Group if job.ViewObject is not None else ():
+            for film in (model, *model.Objects):  # a clone, and the film itself
+                film.ViewObject.Transparency = _CLEAR
     return jobs
 
 

@@ -263,6 +263,10 @@ def test_tool_paths_come_into_the_document_and_one_undo_takes_them_back(made, st
     (paths,) = job.Operations.Group
     assert "M4 S400" in paths.Path.toGCode()
     assert job.ViewObject.Proxy and paths.ViewObject.Proxy and paths.ViewObject.Icon
+    films = [obj for obj in document.Objects[before:] if obj.Label.endswith("film")]
+    shown = [obj for obj in films if obj.ViewObject.Visibility]
+    assert shown
+    assert all(obj.ViewObject.Transparency > 50 for obj in shown), "path and balloon are seen through it"
     (positional, named), *_ = lines
     assert positional == ("tool_paths", macro_recorder.obj(made.pattern), '"foil"')
     assert named == {"result": [job]}
