@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # test.sh STEP...   steps: lint core app gui; engine: the part of core that other versions are tried with;
 # users: plays users on screens of SCREENS with THEMES, and leaves their pictures in build/users
-# QUICK: without the tests that are marked as slow.
+# QUICK: without the tests that are marked as slow; those that should be are told at the end.
 # Runs every step, also after one has failed: lint alone, the others beside the last one. Each leaves
 # build/logs/STEP.log, with SUITE after its name if set.
 set -uo pipefail
@@ -12,7 +12,7 @@ mkdir -p "$logs"
 scratch=$(mktemp -d)
 # the linear algebra of one step takes no processor from the step beside it
 export OPENBLAS_NUM_THREADS=1
-[ -z "${QUICK:-}" ] || export PYTEST_ADDOPTS="-m 'not slow'"
+[ -z "${QUICK:-}" ] || export PYTEST_ADDOPTS="-m 'not slow' --durations=10 --durations-min=4"
 trap 'jobs -p | xargs -r kill 2>/dev/null; rm -rf "$scratch"' EXIT
 
 lint() {
