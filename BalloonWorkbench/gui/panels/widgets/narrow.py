@@ -87,10 +87,11 @@ class NarrowForm(QtWidgets.QFormLayout):
     def _append(self, *row) -> None:
         self._all.append(row)
         super().addRow(*row)
-        owner = self.parentWidget()
-        if owner is not None and owner.isVisible():  # Qt would show it a turn of the event loop later
+        if isinstance(row[-1], WrappedLabel) and not row[-1].isWindow():
+            # in a form that is seen Qt would show it a turn of the event loop later
             for each in filter(None, (row[-1], self.labelForField(row[-1]))):
-                each.show()
+                if not each.testAttribute(QtCore.Qt.WA_WState_ExplicitShowHide):
+                    each.show()
 
 
 def _whole_width(choice) -> int:
