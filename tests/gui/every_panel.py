@@ -115,6 +115,7 @@ def others(made):
         Gui.runCommand(f"BalloonWorkbench_{command}")
         hands.wait_until(hands.panel_is_seen)
         hands.wait(0.5)
+        hands.wait_until(lambda: not hands.visible(QtWidgets.QProgressBar))  # then there is more to see
         if command == "TestCard":
             yield from pages(command)
         else:

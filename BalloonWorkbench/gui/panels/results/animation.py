@@ -50,6 +50,7 @@ class AnimationPanel(TaskPanel):
         self.slider.setObjectName("Frame")
         self.slider.setRange(0, FRAMES - 1)
         self.slider.setToolTip(translate("From the flat film to the balloon at rest"))
+        self.slider.setAccessibleName(self.slider.toolTip())
         self.frame_text = WrappedLabel()
         self.frame_text.setObjectName("FrameTold")
         self.note = QtWidgets.QLabel(
